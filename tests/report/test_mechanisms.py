@@ -329,3 +329,21 @@ def test_camber_toe_and_roll_centre_of_a_double_wishbone():
     ratio = found.sel(quantity="motion_ratio").values[1:-1]
     strut = run.motion.length_rate.sel(member="strut")[1:-1] / run.motion.velocity.sel(node="W", axis="z")[1:-1]
     np.testing.assert_allclose(ratio, -strut, rtol=1e-9)
+
+
+def test_links_turn_and_transmit_as_bars_do(turn):
+    """Coupler and rocker as links; a third pin leaves the angle, and no one direction in which the link transmits."""
+    tip = {"P": (D + 2.0 * (turn.model.nodes["C"].at[0] - D), 2.0 * turn.model.nodes["C"].at[1])}
+    with_bars = turn.model
+    linked = with_bars.with_(bars={"crank": with_bars.bars["crank"]}, links={"coupler": ("B", "C"), "rocker": ("D", "C")})
+    longer = linked.with_(nodes={**with_bars.nodes, **tip}, links={"coupler": ("B", "C"), "rocker": ("D", "C", "P")})
+    expected = {row["member"]: row for row in member_turns(turn)}
+    for model in (linked, longer):
+        run = kt.run(model)
+        for row in member_turns(run):
+            assert row["sweep"] == pytest.approx(expected[row["member"]]["sweep"], abs=1e-9)
+            assert row.get("ratio") == pytest.approx(expected[row["member"]].get("ratio"), abs=1e-9)
+    (one,), (other,) = transmission_angles(kt.run(linked)), transmission_angles(turn)
+    assert (one["node"], one["member"], one["with"]) == ("C", "rocker", "coupler")
+    assert one["least"] == pytest.approx(other["least"], abs=1e-9)
+    assert transmission_angles(run) == []

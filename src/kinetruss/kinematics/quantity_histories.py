@@ -286,7 +286,7 @@ class _Made:
         if tree.op == "node":
             return self._node(tree.value)
         if tree.op == "member":
-            A, B = (self._node(end) for end in ({**model.members, **model.beams})[tree.value].ends)
+            A, B = (self._node(end) for end in ({**model.members, **model.bending})[tree.value].ends)
             return minus(B, A)
         if tree.op == "drive":
             return self._drive(model.all_drives[tree.value])

@@ -385,7 +385,7 @@ def looked_up(model: ModelData, tree: Tree) -> Tree:
 def _known(model: ModelData) -> dict[str, Any]:
     return {
         "node": {name: None for name, one in model.nodes.items() if not one.scalar},
-        "member": {**model.members, **model.beams},
+        "member": {**model.members, **model.bending},
         "drive": model.all_drives,
         "quantity": model.quantities,
     }

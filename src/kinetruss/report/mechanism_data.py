@@ -7,7 +7,7 @@ Extremes are those of the samples.
 from __future__ import annotations
 
 import math
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
@@ -132,7 +132,7 @@ def member_turns(run: RunResult, names: Sequence[str] = ()) -> list[dict[str, An
     ------
     InputError : unknown members; a run that has no motion over time.
     """
-    own = {**run.model.members, **run.model.beams}
+    own = {**run.model.members, **run.model.bending}
     for name in names:
         if name not in own:
             raise InputError(f"No member called {name!r}. {nearest(name, own)}")
@@ -175,7 +175,7 @@ def angle_histories(run: RunResult, names: Sequence[str]) -> list[tuple[Array, A
     if run.model.dim == 2:
         found = quantities(run.model, run.motion, {f"{k}": f'angle(member("{name}"))' for k, name in enumerate(names)})
         return [tuple(found[one].values[:, k] for one in ("value", "rate", "second_rate")) for k in range(len(names))]  # type: ignore[misc]
-    data, own = run.motion.whole, {**run.model.members, **run.model.beams}
+    data, own = run.motion.whole, {**run.model.members, **run.model.bending}
     place = {str(name): k for k, name in enumerate(data["node"].values)}
     found_ = []
     for name in names:
@@ -256,15 +256,17 @@ def transmission_angles(run: RunResult) -> list[dict[str, Any]]:
     model, data = run.model, run.motion.whole
     place = {str(name): k for k, name in enumerate(data["node"].values)}
     x, moved = data["position"].values, getattr(model.all_drives[drive], "bar", "")
-    along = {name: x[:, place[one.ends[1]]] - x[:, place[one.ends[0]]] for name, one in model.members.items()}
+    # a link of more pins than two has no one direction in which it transmits
+    own = {**model.members, **{name: one for name, one in model.links.items() if len(one.nodes) == 2}}
+    along = {name: x[:, place[one.ends[1]]] - x[:, place[one.ends[0]]] for name, one in own.items()}
     meeting: dict[str, list[str]] = {}
-    for name, one in model.members.items():
+    for name, one in own.items():
         for end in one.ends if name != moved else ():
             meeting.setdefault(end, []).append(name)
     pairs: list[tuple[str, str, str, Array, Array]] = []
-    for pin, end, name in _followers(model, moved):
+    for pin, end, name in _followers(model, own, moved):
         for other in meeting[end]:
-            if other != name and pin not in model.members[other].ends:
+            if other != name and pin not in own[other].ends:
                 d, e = along[name], along[other]
                 pairs.append((end, name, other, d[:, 0] * e[:, 1] - d[:, 1] * e[:, 0], np.einsum("tc,tc->t", d, e)))
     for node, axes in model.fixed.items():
@@ -278,9 +280,9 @@ def transmission_angles(run: RunResult) -> list[dict[str, Any]]:
     return [row for row in rows if row["largest"] - row["least"] > STILL]
 
 
-def _followers(model: Model, moved: str) -> Iterator[tuple[str, str, str]]:
-    """Members with a fixed pin and a free end: pin, end and name; moved : by the drive."""
-    for name, one in model.members.items():
+def _followers(model: Model, own: Mapping[str, Any], moved: str) -> Iterator[tuple[str, str, str]]:
+    """Members, of `own`, with a fixed pin and a free end: pin, end and name; moved : by the drive."""
+    for name, one in own.items():
         for pin, end in (one.ends, one.ends[::-1]):
             if {"x", "y"} <= set(model.fixed.get(pin, "")) and end not in model.fixed and name != moved:
                 yield pin, end, name
