@@ -210,6 +210,20 @@ def _factored(plan: Plan, w: Workspace, b: int, x: F2, i: int) -> float:
 
 
 @kernel_inline
+def smallest_pivot(plan: Plan, w: Workspace, b: int) -> float:
+    """Of the factors of block b, whose rows have unit length: near 0 next to a singular position."""
+    first, last, largest = plan.ptr[b], plan.ptr[b + 1], 1.0
+    # the diagonal holds reciprocals
+    if w.state[b] == SPARSE:
+        for k in range(first, last):
+            largest = larger(largest, abs(w.lu[w.order.row[k], w.order.col[k]]))
+    else:
+        for k in range(first, last):
+            largest = larger(largest, abs(w.lu[k, k - first]))
+    return 1.0 / largest
+
+
+@kernel_inline
 def solve(plan: Plan, w: Workspace, b: int, y: F1) -> None:
     """Solve with the factors of block b in place, y[:rows of the block]."""
     first, last = plan.ptr[b], plan.ptr[b + 1]
@@ -299,20 +313,23 @@ def _changes(plan: Plan, w: Workspace, rhs: Floats, y: Floats, i: int, s: int) -
 
 
 @kernel
-def transfer(plan: Plan, x: F2, rhs: Floats, y: Floats) -> None:
+def transfer(plan: Plan, x: F2, rhs: Floats, y: Floats, pivot: F1) -> None:
     """Solve J y = rhs at every sample; redundant rows are left out.
 
     x (times, 3 n) m; rhs (times, k, rows) in the plan's order of rows: change of length, m, of angle times length, m,
     or of a sum times its scale.
     y (times, k, 3 n): holds the changes of prescribed coordinates, m, and zeros; receives those of the free ones.
+    pivot (times,): receives the smallest pivots.
     """
     w = workspace(plan)
     # factors once a sample, one forward sweep for each right-hand side
     for i in range(x.shape[0]):
         _gradients(plan, w, x, i)
+        pivot[i] = 1.0
         for b in range(plan.ptr.size - 1):
             if plan.sums.size:
                 sum_terms(plan, b, x[i], w.terms)
             factor_gradients(plan, w, b)
+            pivot[i] = min(pivot[i], smallest_pivot(plan, w, b))
         for s in range(rhs.shape[1]):
             _changes(plan, w, rhs, y, i, s)

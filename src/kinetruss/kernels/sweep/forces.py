@@ -16,7 +16,15 @@ from kinetruss.kernels.structure.laws import law_energy, law_tension, length_rat
 from kinetruss.kernels.structure.mass import at, direction, pair_times, varying_energy, varying_forces, varying_times
 from kinetruss.kernels.structure.structure import EndForces, NodalLoads, Plan, States, Structure
 from kinetruss.kernels.structure.sums import add_sum_force, sum_of, sum_terms
-from kinetruss.kernels.sweep.blocks import Workspace, factor, gradients, set_targets, solve_transposed, workspace
+from kinetruss.kernels.sweep.blocks import (
+    Workspace,
+    factor,
+    gradients,
+    set_targets,
+    smallest_pivot,
+    solve_transposed,
+    workspace,
+)
 from kinetruss.kernels.sweep.lu import lu_factor, lu_solve
 
 __all__ = ["applied", "energies", "forces", "shares"]
@@ -190,12 +198,21 @@ def applied(structure: Structure, loads: NodalLoads, states: States, out: EndFor
 
 @kernel
 def forces(
-    plan: Plan, weight: F1, structure: Structure, loads: NodalLoads, values: F2, states: States, N: F2, out: EndForces
+    plan: Plan,
+    weight: F1,
+    structure: Structure,
+    loads: NodalLoads,
+    values: F2,
+    states: States,
+    N: F2,
+    out: EndForces,
+    pivot: F1,
 ) -> None:
     """Fill N (times, rows), joint and rest for positions, velocities, accelerations.
 
     N by the rows of the system; weight (rows,) of the redundant share, in the plan's order. values (times, drives).
     joint : force on each member at its ends. rest : minus the reaction at prescribed coordinates; round-off elsewhere.
+    pivot (times,) : the smallest of the factors, rows of unit length.
     """
     w, x, rest = workspace(plan), states.x, out.rest
     row_force, blocks = np.empty(plan.row.size), plan.ptr.size - 1
@@ -203,8 +220,11 @@ def forces(
     for i in range(x.shape[0]):
         _gathered(structure, loads, states, i, out)
         set_targets(plan, w, values, i)
+        smallest = 1.0
         for b in range(blocks):
             factor(plan, w, b, x, i)
+            smallest = min(smallest, smallest_pivot(plan, w, b))
+        pivot[i] = smallest
         _sweep_back(plan, w, rest[i], row_force)
         if plan.ptr[-1] < row_force.size:
             gradients(plan, w, plan.ptr[-1], row_force.size, x, i)
