@@ -10,6 +10,8 @@ from hypothesis import given, settings, strategies as st
 from scipy.spatial.transform import Rotation
 
 import kinetruss as kt
+from kinetruss.report.run_data import largest_forces
+from kinetruss.runs.doubts import doubts, remarks
 
 NOT_UNIQUE = "the force of these members is not unique there: {}."
 
@@ -202,3 +204,14 @@ def test_positions_have_no_derivatives_in_a_singular_position():
     found = kt.kinematics.jacobian(model, position[0], of="M").values
     a, c = np.hypot(1, h), np.hypot(2, h)
     np.testing.assert_allclose(found, [[a / 3, -c / 3], [2 * a / (3 * h), c / (3 * h)]], rtol=1e-9)
+
+
+def test_a_run_warns_and_names_the_pose():
+    model = links([(0, 0, 0), (1, 0, 0), (3, 0, 0)], (3.0, 0.0)).with_(
+        runs={"still": kt.Run(analysis="statics.at_poses", poses={"Flat": {}})}
+    )
+    run = kt.run(model, "still")
+    said = "Singular position at pose 'Flat': the force of these members is not unique there: a, c."
+    assert said in list(doubts(run))
+    assert said not in remarks(run)
+    assert [one["unique"] for one in largest_forces(run)] == [False, False]

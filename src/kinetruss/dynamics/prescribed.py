@@ -12,10 +12,10 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from kinetruss.display.numbers import instant
+from kinetruss.display import moment
 from kinetruss.dynamics.bearing_friction import couples_on_ends, friction_directions, jam, seats_of
 from kinetruss.dynamics.force_tables import Read, force_arrays, forces_of, solved_in_space
-from kinetruss.errors import AnalysisError, few
+from kinetruss.errors import AnalysisError
 from kinetruss.kernels.compiled.workspace import allocate
 from kinetruss.kernels.structure.structure import NONE, EndForces, NodalLoads, States
 from kinetruss.kernels.sweep.forces import applied, forces as sweep
@@ -30,6 +30,7 @@ from kinetruss.mechanics import (
     constraint_gradients,
     jacobian,
     measure_gradients,
+    not_unique_at_notes,
     not_unique_note,
     rearrange,
     row_directions,
@@ -44,7 +45,7 @@ from kinetruss.results import Forces, Motion, provenance
 from kinetruss.threads import one_thread
 
 if TYPE_CHECKING:
-    from collections.abc import Callable, Iterator
+    from collections.abc import Callable
 
     from numpy.typing import NDArray
 
@@ -246,7 +247,8 @@ def inverse(model: Model, motion: Motion, load_case: str | None = None, *, stati
     -----
     J^T N = f - M a with consistent masses, the multiplier of a bar being its mean tension. In redundant structures the
     forces minimise sum N^2 l/(E A) if every bar of the state of self-stress has E and A, else sum N^2;
-    ``data.attrs["not_unique"]`` names the members, and ``message`` reports them.
+    ``data.attrs["not_unique"]`` names the members, and ``message`` reports them. So they do at samples in singular positions,
+    where ``data.attrs["not_unique_at"]`` has by member the times.
 
     Examples
     --------
@@ -485,8 +487,12 @@ def _record(
         ).strip()
     if (note := not_unique_note(names)) not in message:  # the equilibrium of a run says it already
         message = f"{message} {note}".strip()
-    for note in _near_singular(system, motion, solved, names, closed):
-        message = f"{message} {note}".strip()
+    if solved["singular"] or solved["near"]:
+        poses = [repr(str(name)) for name in motion.whole["pose"].values] if "pose" in motion.whole.coords else []
+        if at := _not_unique_at(system, motion, solved, names):
+            data.attrs["not_unique_at"] = at
+        for note in (*not_unique_at_notes(at, poses), _digits_lost(motion, solved, poses, closed)):
+            message = f"{message} {note}".strip()
     return Forces(
         data=data.later,
         status=motion.status,
@@ -498,44 +504,30 @@ def _record(
     )
 
 
-def _near_singular(
-    system: System, motion: Motion, solved: dict[str, Any], told: list[str], closed: NDArray[np.bool_] | None
-) -> Iterator[str]:
-    """Sentences on singular positions, with members whose force is not unique there but not `told`, and on digits lost."""
-    singular: dict[int, NDArray[np.bool_]] = solved["singular"]
-    for samples, mask in _alike(singular):
-        if names := [name for name in system.parts_of(np.flatnonzero(mask)) if name not in told]:
-            where = few([_place(motion, k) for k in samples], 3)
-            yield f"Singular position at {where}: the force of these members is not unique there: {few(names, 8)}."
+def _not_unique_at(system: System, motion: Motion, solved: dict[str, Any], told: list[str]) -> dict[str, list[float]]:
+    """By member the times of singular samples at which its force is not unique; without those `told` of all times."""
+    time, found = motion.arrays["time"].values, dict[str, list[float]]()
+    for k, mask in solved["singular"].items():
+        for name in system.parts_of(np.flatnonzero(mask)):
+            if name not in told:
+                found.setdefault(name, []).append(float(time[k]))
+    return found
+
+
+def _digits_lost(motion: Motion, solved: dict[str, Any], poses: list[str], closed: NDArray[np.bool_] | None) -> str:
+    """The sentence on the least accurate forces of samples that are not singular; empty if they have seven digits."""
     errors = {
         k: error_of(round_off, ratio, 2 if closed is not None and closed[k] else 1)
         for k, (round_off, ratio) in solved["near"].items()
-        if k not in singular
+        if k not in solved["singular"]
     }
-    if errors:
-        worst = max(errors, key=errors.__getitem__)
-        own: System = solved["of"]
-        if said := accuracy_note(own, solved["x"][worst].reshape(-1, 3), errors[worst]):
-            place = _place(motion, worst)
-            yield f"{place[0].upper()}{place[1:]}: {said}" if place.startswith("pose") else f"At {place}: {said}"
-
-
-def _alike(singular: dict[int, NDArray[np.bool_]]) -> list[tuple[list[int], NDArray[np.bool_]]]:
-    """Singular samples of the same mask together."""
-    found: dict[bytes, list[int]] = {}
-    for k, mask in singular.items():
-        found.setdefault(mask.tobytes(), []).append(k)
-    return [(samples, singular[samples[0]]) for samples in found.values()]
-
-
-def _place(motion: Motion, k: int) -> str:
-    """A sample as text: its pose, or its time."""
-    whole = motion.whole
-    return (
-        f"pose {str(whole['pose'].values[k])!r}"
-        if "pose" in whole.coords
-        else f"t = {instant(motion.arrays['time'].values[k])}"
-    )
+    if not errors:
+        return ""
+    worst = max(errors, key=errors.__getitem__)
+    own: System = solved["of"]
+    said = accuracy_note(own, solved["x"][worst].reshape(-1, 3), errors[worst])
+    where = moment(float(motion.arrays["time"].values[worst]), poses)
+    return f"{f'P{where[1:]}' if poses else f'At {where}'}: {said}" if said else ""
 
 
 def unbalanced(off: float, at_rest: bool, parts: str = "beams, membranes or solids") -> str:

@@ -21,7 +21,6 @@ from kinetruss.kernels.sweep.blocks import (
     factor,
     gradients,
     set_targets,
-    smallest_pivot,
     solve_transposed,
     workspace,
 )
@@ -45,19 +44,24 @@ def _add_row(plan: Plan, w: Workspace, k: int, amount: float, rest: F1) -> None:
 
 
 @kernel_inline
-def _sweep_back(plan: Plan, w: Workspace, rest: F1, N: F1) -> None:
-    """Solve J^T N = rest over the blocks from last to first; rest keeps what no row carries (prescribed coordinates)."""
+def _sweep_back(plan: Plan, w: Workspace, rest: F1, N: F1) -> float:
+    """Solve J^T N = rest over the blocks from last to first; rest keeps what no row carries (prescribed coordinates).
+
+    Returns the largest reciprocal of a pivot.
+    """
+    largest = 1.0
     # A^T N_b = rest of block b; its J^T N goes off the coordinates of earlier blocks
     for b in range(plan.ptr.size - 2, -1, -1):
         first, last = plan.ptr[b], plan.ptr[b + 1]
         for k in range(first, last):
             w.work[k - first] = rest[plan.col[k]]
-        solve_transposed(plan, w, b, w.work)
+        largest = max(largest, solve_transposed(plan, w, b, w.work))
         for k in range(first, last):
             N[k] = w.work[k - first]
             _add_row(plan, w, k, N[k], rest)
         for j in range(plan.sum_ptr[b], plan.sum_ptr[b + 1]):
             add_sum_force(plan, j, w.terms, N[plan.sum_row[j]], rest)
+    return largest
 
 
 @kernel_inline
@@ -220,12 +224,9 @@ def forces(
     for i in range(x.shape[0]):
         _gathered(structure, loads, states, i, out)
         set_targets(plan, w, values, i)
-        smallest = 1.0
         for b in range(blocks):
             factor(plan, w, b, x, i)
-            smallest = min(smallest, smallest_pivot(plan, w, b))
-        pivot[i] = smallest
-        _sweep_back(plan, w, rest[i], row_force)
+        pivot[i] = 1.0 / _sweep_back(plan, w, rest[i], row_force)
         if plan.ptr[-1] < row_force.size:
             gradients(plan, w, plan.ptr[-1], row_force.size, x, i)
             if plan.sums.size:
