@@ -11,7 +11,8 @@ from kinetruss.dynamics.equations import equations
 from kinetruss.dynamics.integrators import control
 from kinetruss.kernels.compiled.jit import kernel
 from kinetruss.kernels.integrate.tangent import tangent_factor, tangent_solve
-from kinetruss.kernels.solve.kkt import evaluate, prepare_rows, project
+from kinetruss.kernels.solve.accelerations import evaluate
+from kinetruss.kernels.solve.kkt import prepare_rows, project
 from kinetruss.kernels.structure.applied import applied, no_force
 from kinetruss.kernels.structure.mass import mass_times
 from kinetruss.library import mechanisms, vgt

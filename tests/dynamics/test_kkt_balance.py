@@ -10,7 +10,8 @@ import pytest
 import kinetruss as kt
 from kinetruss.dynamics.equations import equations
 from kinetruss.dynamics.motion_tables import drive_tables
-from kinetruss.kernels.solve.kkt import evaluate, kinetic, momenta, potential, prepare_rows
+from kinetruss.kernels.solve.accelerations import evaluate
+from kinetruss.kernels.solve.kkt import kinetic, momenta, potential, prepare_rows
 from kinetruss.kernels.structure.applied import no_force
 from kinetruss.library import mechanisms, vgt
 from kinetruss.mechanics import compile

@@ -7,7 +7,8 @@ import pytest
 
 import kinetruss as kt
 from kinetruss.dynamics.equations import equations
-from kinetruss.kernels.solve.kkt import evaluate, project
+from kinetruss.kernels.solve.accelerations import evaluate
+from kinetruss.kernels.solve.kkt import project
 from kinetruss.kernels.structure.applied import no_force
 from kinetruss.library import mechanisms
 from kinetruss.mechanics import compile as compiled

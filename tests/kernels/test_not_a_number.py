@@ -7,8 +7,9 @@ import pytest
 import kinetruss as kt
 from kinetruss.dynamics.equations import equations
 from kinetruss.kernels.compiled.larger import larger
+from kinetruss.kernels.solve.accelerations import evaluate
 from kinetruss.kernels.solve.cholesky import cholesky
-from kinetruss.kernels.solve.kkt import evaluate, project
+from kinetruss.kernels.solve.kkt import project
 from kinetruss.kernels.structure.applied import no_force
 from kinetruss.kernels.sweep.lu import lu_factor, lu_solve, new_order, sparse_again, sparse_first, sparse_solve
 from kinetruss.mechanics import compile

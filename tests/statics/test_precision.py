@@ -5,7 +5,8 @@ import pytest
 from hypothesis import given, settings, strategies as st
 
 import kinetruss as kt
-from kinetruss.statics.refinement import SILENT, Doubled, best_of
+from kinetruss.mechanics.accuracy import SILENT
+from kinetruss.statics.refinement import Doubled, best_of
 
 METAL = kt.Material(E=70e9, density=0.0)
 

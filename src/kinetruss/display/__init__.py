@@ -19,6 +19,7 @@ if TYPE_CHECKING:
         counted as counted,
         instant as instant,
         margin as margin,
+        moment as moment,
         number as number,
         quantity as quantity,
         round_up as round_up,

@@ -248,6 +248,15 @@ def instant(time: float | None) -> str:
     return "-" if time is None or not math.isfinite(time) else f"{number(time)} s"
 
 
+def moment(time: float, poses: Sequence[str]) -> str:
+    """When a value is found: the name of a pose, whose time is its number, or the time.
+
+    >>> moment(1.0, ["low", "high"]), moment(0.5, [])
+    ('pose high', 't = 0.5 s')
+    """
+    return f"pose {poses[round(time)]}" if poses and time == time else f"t = {instant(time)}"
+
+
 def counted(count: int, noun: str, several: str = "") -> str:
     """A number of things with their noun. several : the plural, if it is not the noun with an s.
 

@@ -22,7 +22,7 @@ from kinetruss.dynamics.hub_arms import HubFrame, arm_push, body_push, load_push
 from kinetruss.elements.kinds import forces_of_loads, scalar_forces, spans_of, table_of_kinds
 from kinetruss.elements.pin_friction import pins_of
 from kinetruss.errors import AnalysisError, InputError
-from kinetruss.kernels.solve.kkt import of_bearings
+from kinetruss.kernels.solve.accelerations import of_bearings
 from kinetruss.kernels.structure.bearings import (
     ACROSS,
     ACROSS_LENGTH,

@@ -12,11 +12,12 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
+from kinetruss.display import moment
 from kinetruss.dynamics.bearing_friction import couples_on_ends, friction_directions, jam, seats_of
 from kinetruss.dynamics.force_tables import Read, force_arrays, forces_of, solved_in_space
 from kinetruss.errors import AnalysisError
 from kinetruss.kernels.compiled.workspace import allocate
-from kinetruss.kernels.structure.structure import NONE, EndForces, States
+from kinetruss.kernels.structure.structure import NONE, EndForces, NodalLoads, States
 from kinetruss.kernels.sweep.forces import applied, forces as sweep
 from kinetruss.kinematics.own_motion import check_motion
 from kinetruss.mechanics import (
@@ -29,10 +30,12 @@ from kinetruss.mechanics import (
     constraint_gradients,
     jacobian,
     measure_gradients,
+    not_unique_at_notes,
     not_unique_note,
     rearrange,
     row_directions,
 )
+from kinetruss.mechanics.accuracy import NEAR, NOTHING, accuracy_note, error_of, lost
 from kinetruss.mechanics.beam_shapes import STRAIGHT, FixedShapes, fixed_shapes
 from kinetruss.mechanics.elements import material_stiffness, strained_forces
 from kinetruss.mechanics.loads import Loads, case_loads
@@ -53,31 +56,59 @@ TOGETHER = 16
 """Samples whose Jacobians are found at once."""
 ROUND_OFF = 1e-12
 """Residual, as a fraction of the stiffness times the size of the structure, that is round-off."""
-ENDLESS, FLAT = 1e10, 1e-14
-"""Constraint forces, in parts of what acts, from which on a position may be singular; the smallest singular value of its
-constraints, in parts of the largest, below which it is.
-"""
+UNBALANCED = 1e-9
+"""Residual of a singular position, as a fraction of what acts, that is more than round-off of loads and accelerations."""
 
 
 def free_forces(
     system: System, loads: Any, values: NDArray[np.float64], states: States, N: NDArray[np.float64], ends: EndForces
-) -> NDArray[np.bool_]:
-    """Fill N and ends like the kernel with the same arguments; returns the mask of constraints with a force not unique."""
-    x, (joint, rest) = states.x, ends
+) -> tuple[NDArray[np.bool_], dict[int, NDArray[np.bool_]]]:
+    """Fill N and ends like the kernel with the same arguments; returns the mask of constraints with a force not unique, and of
+    singular samples, in which more constraints depend on each other than in others, the mask there.
+    """
     apply_loads(system, loads, states, ends)
-    arrangement = rearrange(system, x[0].reshape(-1, 3), values[0])
-    scale = np.sqrt(arrangement.weight)
+    return _least_norm(system, values, states.x, N, ends)
+
+
+def _least_norm(
+    system: System, values: NDArray[np.float64], x: NDArray[np.float64], N: NDArray[np.float64], ends: EndForces
+) -> tuple[NDArray[np.bool_], dict[int, NDArray[np.bool_]]]:
+    """The same with what acts already in the ends."""
+    joint, rest = ends
+    places = x.reshape(len(x), -1, 3)
+    arrangement = rearrange(system, places[0], values[0])
+    ranks = _by_singular_values(system, values, places, arrangement.weight, rest, N)
+    if best := int(np.argmax(ranks)):
+        arrangement = rearrange(system, places[best], values[best])
+        ranks = _by_singular_values(system, values, places, arrangement.weight, rest, N)
     p, q = system.p[system.row_member], system.q[system.row_member]
-    for i, place in enumerate(x.reshape(len(x), -1, 3)):
-        J = jacobian(system, place, values[i])
-        N[i] = np.linalg.pinv(J.T / scale, rcond=RANK_TOLERANCE) @ rest[i, system.free] / scale
+    for i, place in enumerate(places):
         tension = N[i][:, None] * row_directions(system, place, values[i])
         np.add.at(rest[i].reshape(-1, 3), p, tension)
         np.subtract.at(rest[i].reshape(-1, 3), q, tension)
         np.subtract.at(joint[i, :, 0], system.row_member, tension)
         np.add.at(joint[i, :, 1], system.row_member, tension)
     take_sum_forces(system, x, N, rest)
-    return arrangement.not_unique
+    lower = np.flatnonzero(ranks < ranks.max(initial=0)).tolist()
+    return arrangement.not_unique, {i: rearrange(system, places[i], values[i]).not_unique for i in lower}
+
+
+def _by_singular_values(
+    system: System,
+    values: NDArray[np.float64],
+    places: NDArray[np.float64],
+    weight: NDArray[np.float64],
+    rest: NDArray[np.float64],
+    N: NDArray[np.float64],
+) -> NDArray[np.int64]:
+    """Fill N (times, rows) with the forces of least sum of weight N^2; returns the ranks (times,)."""
+    scale, ranks = np.sqrt(weight), np.zeros(len(places), np.int64)
+    # N = W^-1/2 V S^-1 U^T rest with U S V^T = J^T W^-1/2
+    for i, place in enumerate(places):
+        U, S, V = np.linalg.svd(jacobian(system, place, values[i]).T / scale, full_matrices=False)
+        k = ranks[i] = int(np.sum(RANK_TOLERANCE * S.max(initial=0.0) < S))
+        N[i] = V[:k].T @ ((U[:, :k].T @ rest[i, system.free]) / S[:k]) / scale
+    return ranks
 
 
 def out_of_balance(system: System, loads: Any, x: NDArray[np.float64], rest: NDArray[np.float64]) -> float:
@@ -216,7 +247,8 @@ def inverse(model: Model, motion: Motion, load_case: str | None = None, *, stati
     -----
     J^T N = f - M a with consistent masses, the multiplier of a bar being its mean tension. In redundant structures the
     forces minimise sum N^2 l/(E A) if every bar of the state of self-stress has E and A, else sum N^2;
-    ``data.attrs["not_unique"]`` names the members, and ``message`` reports them.
+    ``data.attrs["not_unique"]`` names the members, and ``message`` reports them. So they do at samples in singular positions,
+    where ``data.attrs["not_unique_at"]`` has by member the times.
 
     Examples
     --------
@@ -242,13 +274,13 @@ def inverse(model: Model, motion: Motion, load_case: str | None = None, *, stati
     return _record(system, motion, loads, solved, still, at_rest=False)
 
 
-def at_rest(system: System, motion: Motion, loads: Loads) -> Forces:
-    """Forces of the poses of a motion at rest, under given loads, as a separate record."""
+def at_rest(system: System, motion: Motion, loads: Loads, closed: NDArray[np.bool_] | None = None) -> Forces:
+    """Forces of the poses of a motion at rest, under given loads, as a separate record; closed (times,) : as of `_record`."""
     check_motion(system, motion, members=True)
     x = flat(system, motion, "position")
     loads = loads.at(x)
     solved = solve(system, motion.arrays["drive_position"].values, loads, _at_rest(States(x, x, x)))
-    return _record(system, motion, loads, solved, None, at_rest=True)
+    return _record(system, motion, loads, solved, None, at_rest=True, closed=closed)
 
 
 def _at_rest(states: States) -> States:
@@ -270,6 +302,9 @@ def flat(system: System, motion: Motion, name: str) -> NDArray[np.float64]:
 def solve(system: System, values: NDArray[np.float64], loads: Loads, states: States) -> dict[str, Any]:
     """Constraint forces N (times, rows), joint forces (times, members, 2, 3), residuals at nodes (times, 3 n), N, and the
     constraints whose force is not unique, at drive values (times, drives); with the states, in space if the base rotates.
+
+    ``singular`` : of singular samples the constraints whose force is not unique there. ``near`` : of samples near singular
+    positions what `lost` finds. ``of`` : the system that these are of.
     """
     return solved_in_space(system, loads, states, lambda pushed, space: _solve(system, values, pushed, space))
 
@@ -285,44 +320,60 @@ def _solve(system: System, values: NDArray[np.float64], loads: Any, states: Stat
     N, joint, rest = allocate((count, len(system.row_member)), (count, len(system.members), 2, 3), (count, system.x0.size))
     ends = EndForces(joint, rest)
     solved: dict[str, Any] = {"x": x, "v": states.v, "a": states.a, "N": N, "joint": joint, "rest": rest}
-    solved["not_unique"] = arrangement.not_unique
+    solved |= {"not_unique": arrangement.not_unique, "near": {}, "singular": {}, "of": system}
     if arrangement.plan is None:
-        solved["not_unique"] = free_forces(system, loads, values, states, N, ends)
+        solved["not_unique"], solved["singular"] = free_forces(system, loads, values, states, N, ends)
         solved["off"] = out_of_balance(system, loads, x, rest)
         solved["loose"] = 0.0 if solved["off"] else bars_out_of_balance(system, rest, joint)
         return solved
+    pivot, whole, acting = np.ones(count), structure_of(system), nodal_loads(loads)
     for part, used in _pieces(system, arrangement, x, values):
-        given = nodal_loads(loads)
-        given = given._replace(force=given.force[part], t=given.t[part] if len(given.t) > 1 else given.t)
         plan: Any = used.plan
         sweep(
             plan,
             used.weight[plan.row],
-            structure_of(system),
-            given,
+            whole,
+            _given(acting, part),
             values[part],
             _cut(states, part),
             N[part],
             EndForces(joint[part], rest[part]),
+            pivot[part],
         )
         solved["not_unique"] = solved["not_unique"] | used.not_unique
-    _refuse_singular(system, values, loads, states, N)
+        for k in (part.start + np.flatnonzero(pivot[part] < NEAR)).tolist():
+            solved["near"][k] = near = lost(system, used, x[k].tobytes())
+            if error_of(*near) >= NOTHING:
+                solved["singular"][k] = _singular(system, values, acting, states, k, N, ends)
     return solved
 
 
-def _refuse_singular(system: System, values: NDArray[np.float64], loads: Any, states: States, N: NDArray[np.float64]) -> None:
-    """AnalysisError where forces are endless, because what acts has a part along a motion that nothing holds."""
-    mass, gravity = _moving_mass(system), max(map(abs, loads.gravity.tolist()))
-    if max(float(N.max(initial=0.0)), -float(N.min(initial=0.0))) <= ENDLESS * mass * gravity:
-        return
-    acting = float(np.abs(loads.force).max(initial=0.0)) + mass * float(np.abs(states.a).max() + gravity)
-    for k in np.flatnonzero(~(np.abs(N).max(axis=1, initial=0.0) <= ENDLESS * acting)):
-        sizes = np.linalg.svd(jacobian(system, states.x[k].reshape(-1, 3), values[k]), compute_uv=False)
-        if sizes[-1] < FLAT * sizes[0]:
-            raise AnalysisError(
-                f"Position {k} of {len(N)} is singular: drives and bars leave a motion free there, along which loads or "
-                "inertia act, so that no forces balance them. Take another position, or let the parts move (dynamics.simulate)."
-            )
+def _singular(
+    system: System,
+    values: NDArray[np.float64],
+    loads: NodalLoads,
+    states: States,
+    k: int,
+    N: NDArray[np.float64],
+    ends: EndForces,
+) -> NDArray[np.bool_]:
+    """Fill N and the ends of a singular sample k with the forces of least norm; returns the mask of constraints whose force is
+    not unique there.
+
+    Raises AnalysisError where none balance what acts, because it has a part along a motion that nothing holds.
+    """
+    one = slice(k, k + 1)
+    here, (joint, rest) = _cut(states, one), EndForces(ends.joint[one], ends.rest[one])
+    applied(structure_of(system), _given(loads, one), here, EndForces(joint, rest))
+    parts = (loads.force[one], joint, _moving_mass(system) * here.a, _moving_mass(system) * loads.gravity)
+    size = sum(float(np.abs(part).max(initial=0.0)) for part in parts)
+    not_unique, _ = _least_norm(system, values[one], here.x, N[one], EndForces(joint, rest))
+    if float(np.abs(rest[0, system.free]).max()) > UNBALANCED * max(size, float(np.abs(N[k]).max())):
+        raise AnalysisError(
+            f"Position {k} of {len(N)} is singular: drives and bars leave a motion free there, along which loads or "
+            "inertia act, so that no forces balance them. Take another position, or let the parts move (dynamics.simulate)."
+        )
+    return not_unique
 
 
 @cached()
@@ -330,6 +381,11 @@ def _moving_mass(system: System) -> float:
     """About the mass of all parts, kg."""
     parts = (system.lump, system.pair_mass, system.rods[:, [0, 3]], system.body[:, 0])
     return sum(float(np.abs(one).sum()) for one in parts)
+
+
+def _given(loads: NodalLoads, part: slice) -> NodalLoads:
+    """A range of the histories of loads."""
+    return loads._replace(force=loads.force[part], t=loads.t[part] if len(loads.t) > 1 else loads.t)
 
 
 def _solve_fixed_shapes(
@@ -341,6 +397,7 @@ def _solve_fixed_shapes(
     solved, first = solve(held.system, values, loads, states), held.rows[0, 0]
     solved["joint"][:, held.chords] = 0.0
     own: dict[str, Any] = {"N": solved["N"][:, :first], "not_unique": solved["not_unique"][:first]}
+    own["singular"] = {k: mask[:first] for k, mask in solved["singular"].items()}
     if undecided := held.undecided(solved["not_unique"]):
         own["undecided"] = undecided
     else:
@@ -402,8 +459,17 @@ def _cut(states: States, part: slice) -> States:
     return States(states.x[part], states.v if still else states.v[part], states.a if still else states.a[part])
 
 
-def _record(system: System, motion: Motion, loads: Any, solved: dict[str, Any], static: Forces | None, at_rest: bool) -> Forces:
-    """The Forces record of one solution."""
+def _record(
+    system: System,
+    motion: Motion,
+    loads: Any,
+    solved: dict[str, Any],
+    static: Forces | None,
+    *,
+    at_rest: bool,
+    closed: NDArray[np.bool_] | None = None,
+) -> Forces:
+    """The Forces record of one solution; closed (times,) : positions that are closed from lengths."""
     data = force_arrays(system, motion, loads, solved, at_rest)
     names = system.parts_of(np.flatnonzero(solved["not_unique"]))
     data.attrs.update({"kind": "forces", "load_case": loads.name, "not_unique": names, "at_rest": int(at_rest)})
@@ -421,6 +487,12 @@ def _record(system: System, motion: Motion, loads: Any, solved: dict[str, Any], 
         ).strip()
     if (note := not_unique_note(names)) not in message:  # the equilibrium of a run says it already
         message = f"{message} {note}".strip()
+    if solved["singular"] or solved["near"]:
+        poses = [repr(str(name)) for name in motion.whole["pose"].values] if "pose" in motion.whole.coords else []
+        if at := _not_unique_at(system, motion, solved, names):
+            data.attrs["not_unique_at"] = at
+        for note in (*not_unique_at_notes(at, poses), _digits_lost(motion, solved, poses, closed)):
+            message = f"{message} {note}".strip()
     return Forces(
         data=data.later,
         status=motion.status,
@@ -430,6 +502,32 @@ def _record(system: System, motion: Motion, loads: Any, solved: dict[str, Any], 
         static=static,
         load_case=loads.name,
     )
+
+
+def _not_unique_at(system: System, motion: Motion, solved: dict[str, Any], told: list[str]) -> dict[str, list[float]]:
+    """By member the times of singular samples at which its force is not unique; without those `told` of all times."""
+    time, found = motion.arrays["time"].values, dict[str, list[float]]()
+    for k, mask in solved["singular"].items():
+        for name in system.parts_of(np.flatnonzero(mask)):
+            if name not in told:
+                found.setdefault(name, []).append(float(time[k]))
+    return found
+
+
+def _digits_lost(motion: Motion, solved: dict[str, Any], poses: list[str], closed: NDArray[np.bool_] | None) -> str:
+    """The sentence on the least accurate forces of samples that are not singular; empty if they have seven digits."""
+    errors = {
+        k: error_of(round_off, ratio, 2 if closed is not None and closed[k] else 1)
+        for k, (round_off, ratio) in solved["near"].items()
+        if k not in solved["singular"]
+    }
+    if not errors:
+        return ""
+    worst = max(errors, key=errors.__getitem__)
+    own: System = solved["of"]
+    said = accuracy_note(own, solved["x"][worst].reshape(-1, 3), errors[worst])
+    where = moment(float(motion.arrays["time"].values[worst]), poses)
+    return f"{f'P{where[1:]}' if poses else f'At {where}'}: {said}" if said else ""
 
 
 def unbalanced(off: float, at_rest: bool, parts: str = "beams, membranes or solids") -> str:

@@ -11,7 +11,8 @@ from kinetruss.elements.kinds import present, switches
 from kinetruss.errors import AnalysisError, few
 from kinetruss.kernels.integrate import state as m
 from kinetruss.kernels.integrate.samples import NEAR
-from kinetruss.kernels.solve.kkt import balance, evaluate
+from kinetruss.kernels.solve.accelerations import evaluate
+from kinetruss.kernels.solve.kkt import balance
 from kinetruss.kernels.structure.structure import CABLE, NONE
 from kinetruss.mechanics import System
 from kinetruss.mechanics.elements import element_forces, has_elements, named_laws

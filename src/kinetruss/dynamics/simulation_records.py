@@ -13,7 +13,8 @@ from kinetruss.dynamics.motors import motor_histories, motor_names
 from kinetruss.dynamics.prescribed import apply_loads, take_sum_forces, with_bearing_friction
 from kinetruss.dynamics.remarks import energy_remark
 from kinetruss.kernels.compiled.workspace import allocate
-from kinetruss.kernels.solve.kkt import balance, couples_along
+from kinetruss.kernels.solve.accelerations import couples_along
+from kinetruss.kernels.solve.kkt import balance
 from kinetruss.kernels.structure.rows import row_forces
 from kinetruss.kernels.structure.structure import LENGTH, EndForces, States
 from kinetruss.kinematics.motions import Course, motion_of

@@ -17,7 +17,8 @@ from kinetruss.dynamics.starting import completed_velocities, given_positions, g
 from kinetruss.dynamics.user_forces import user_force_of
 from kinetruss.elements.kinds import switches
 from kinetruss.errors import InputError, ModelError, few, shown
-from kinetruss.kernels.solve.kkt import evaluate, project
+from kinetruss.kernels.solve.accelerations import evaluate
+from kinetruss.kernels.solve.kkt import project
 from kinetruss.kernels.structure.equations import DENSE
 from kinetruss.kernels.structure.structure import LENGTH
 from kinetruss.kinematics.time_tables import table_notes

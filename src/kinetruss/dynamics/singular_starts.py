@@ -24,7 +24,8 @@ from kinetruss.elements.kinds import ELEMENTS, on_coordinates
 from kinetruss.errors import InputError
 from kinetruss.kernels.integrate.dop853 import interpolate
 from kinetruss.kernels.integrate.state import Memory, Samples
-from kinetruss.kernels.solve.kkt import evaluate, project
+from kinetruss.kernels.solve.accelerations import evaluate
+from kinetruss.kernels.solve.kkt import project
 from kinetruss.kernels.structure.equations import SUM_FORCE
 from kinetruss.kernels.structure.structure import CABLE
 from kinetruss.mechanics.coordinates import released

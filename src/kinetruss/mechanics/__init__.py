@@ -21,6 +21,7 @@ if TYPE_CHECKING:
         arrange as arrange,
         block_triangular as block_triangular,
         eliminated as eliminated,
+        not_unique_at_notes as not_unique_at_notes,
         not_unique_note as not_unique_note,
         plan_of as plan_of,
         rearrange as rearrange,

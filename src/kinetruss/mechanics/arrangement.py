@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from functools import lru_cache
 from heapq import heapify, heappop, heappush
@@ -13,6 +13,7 @@ import numpy as np
 from scipy.sparse import csr_array
 from scipy.sparse.csgraph import connected_components
 
+from kinetruss.display import moment
 from kinetruss.elements.caching import cached
 from kinetruss.errors import few
 from kinetruss.kernels.structure.structure import ANGLE, LENGTH, SMALL, SUM, Plan
@@ -146,6 +147,20 @@ class Arrangement:
 def not_unique_note(names: Sequence[str]) -> str:
     """The sentence of a message on members whose force is not unique; empty without any."""
     return f"The force of these members is not unique (redundant structure): {few(names, 8)}." if names else ""
+
+
+def not_unique_at_notes(at: Mapping[str, Sequence[float]], poses: Sequence[str]) -> list[str]:
+    """Sentences of a message on singular positions; at : by member the times, or numbers of poses, at which its force is not
+    unique. poses : names of poses at rest.
+    """
+    found: dict[tuple[float, ...], list[str]] = {}
+    for name, times in at.items():
+        found.setdefault(tuple(times), []).append(name)
+    return [
+        f"Singular position at {few([moment(time, poses) for time in times], 3)}: the force of these members is not unique "
+        f"there: {few(names, 8)}."
+        for times, names in found.items()
+    ]
 
 
 @cached()

@@ -2,14 +2,14 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from kinetruss.errors import InputError
-from kinetruss.kernels.structure.structure import Plan
+from kinetruss.errors import AnalysisError, InputError
 from kinetruss.kernels.sweep.blocks import transfer
-from kinetruss.mechanics.arrangement import arrange, rearrange
+from kinetruss.mechanics.accuracy import NEAR, NOTHING, error_of, lost
+from kinetruss.mechanics.arrangement import Arrangement, arrange, rearrange
 from kinetruss.mechanics.measures import measure_gradients
 from kinetruss.mechanics.mobility import underdriven
 from kinetruss.mechanics.positions import drive_values
@@ -20,8 +20,8 @@ if TYPE_CHECKING:
     from numpy.typing import NDArray
 
 
-def plan_at(system: System, x: NDArray[np.float64]) -> tuple[Plan, NDArray[np.bool_]]:
-    """The blocks of a system at flat positions x (3 n,), and the mask of rows that cannot change alone.
+def arrangement_at(system: System, x: NDArray[np.float64]) -> tuple[Arrangement, NDArray[np.bool_]]:
+    """The arrangement, with the blocks, of a system at flat positions x (3 n,), and the mask of rows that cannot change alone.
 
     Raises InputError for mechanisms that the drives do not hold.
     """
@@ -34,14 +34,15 @@ def plan_at(system: System, x: NDArray[np.float64]) -> tuple[Plan, NDArray[np.bo
         raise underdriven(system)
     held = found.not_unique.copy()
     held[found.redundant] = True
-    return found.plan, held
+    return found, held
 
 
 def displacements(system: System, x: NDArray[np.float64], change: NDArray[np.float64]) -> NDArray[np.float64]:
     """Displacements (times, 3 n), m, that elongations of the rows (times, rows), m, cause at flat positions x (times, 3 n)."""
-    plan, _ = plan_at(system, x[0])
+    found, _ = arrangement_at(system, x[0])
     y = np.zeros((len(x), 1, x.shape[1]))
-    transfer(plan, np.ascontiguousarray(x), np.ascontiguousarray(change[:, None, plan.row]), y)
+    plan: Any = found.plan
+    _transferred(system, found, x, np.ascontiguousarray(change[:, None, plan.row]), y)
     return y[:, 0]
 
 
@@ -54,23 +55,38 @@ def transfers(
 
     Raises InputError for a row that other rows hold too.
     """
-    plan, held = plan_at(system, x[0])
+    found, held = arrangement_at(system, x[0])
     if np.any(held[rows]):
         name = system.part_of(rows[held[rows]][0])
         raise InputError(f"{name!r} is held by other bars or drives too, so it cannot change alone. Choose another coordinate.")
+    plan: Any = found.plan
     place = np.empty(len(system.row_member), np.int64)
     place[plan.row] = np.arange(len(plan.row))
     k = len(rows) + len(coordinates)
     rhs, y = np.zeros((len(x), k, len(plan.row))), np.zeros((len(x), k, x.shape[1]))
     rhs[:, np.arange(len(rows)), place[rows]] = row_scales(system, x.reshape(len(x), -1, 3), rows)
     y[:, np.arange(len(rows), k), coordinates] = 1.0
-    transfer(plan, np.ascontiguousarray(x), rhs, y)
+    _transferred(system, found, x, rhs, y)
     return y.transpose(0, 2, 1)
+
+
+def _transferred(
+    system: System, found: Arrangement, x: NDArray[np.float64], rhs: NDArray[np.float64], y: NDArray[np.float64]
+) -> None:
+    """The kernel `transfer`; AnalysisError at a singular position, where there is no change or one of many."""
+    pivot = np.empty(len(x))
+    transfer(found.plan, np.ascontiguousarray(x), rhs, y, pivot)
+    for k in np.flatnonzero(pivot < NEAR):
+        if error_of(*lost(system, found, x[k].tobytes())) >= NOTHING:
+            raise AnalysisError(
+                f"Position {k} of {len(x)} is singular: drives and bars leave a motion free there, so that positions have no "
+                "derivatives by them. Take another position."
+            )
 
 
 def contradicted(system: System, x: NDArray[np.float64], S: NDArray[np.float64]) -> list[tuple[int, int]]:
     """Redundant rigid rows that the columns of S (times, 3 n, k) would change, with these columns."""
-    _, held = plan_at(system, x[0])
+    _, held = arrangement_at(system, x[0])
     nodes, y = x.reshape(len(x), -1, 3), S.transpose(0, 2, 1)
     found = []
     for r in np.flatnonzero(held & (system.row_drive < 0)):

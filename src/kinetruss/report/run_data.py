@@ -65,7 +65,8 @@ def plain(value: Any, infinite: str | None = "Infinity") -> Any:
 def largest_forces(run: RunResult, count: int = 5) -> list[dict[str, Any]]:
     """The members with the largest force of all load cases, largest first, without bars that represent bodies.
 
-    ``unique`` : False if the structure is redundant and the force of the member depends on stiffness or convention.
+    ``unique`` : False if the structure is redundant, or then in a singular position, and the force of the member depends on
+    stiffness or convention.
     """
     found: list[dict[str, Any]] = []
     members = run.model.whole.members
@@ -74,7 +75,7 @@ def largest_forces(run: RunResult, count: int = 5) -> list[dict[str, Any]]:
         if not len(values):
             continue
         static = None if forces.static is None else forces.static.whole["member_force"].values
-        unsure = set(forces.whole.attrs.get("not_unique", []))
+        unsure, at_times = set(forces.whole.attrs.get("not_unique", [])), forces.whole.attrs.get("not_unique_at", {})
         for i, member in enumerate(map(str, forces.whole["member"].values)):
             if isinstance(members[member], Brace):
                 continue
@@ -89,7 +90,7 @@ def largest_forces(run: RunResult, count: int = 5) -> list[dict[str, Any]]:
                     "time": when,
                     "pose": pose_at(forces, at),
                     "load_case": case,
-                    "unique": member not in unsure,
+                    "unique": member not in unsure and when not in at_times.get(member, ()),
                 }
             )
     return largest_first(found, lambda entry: abs(entry["force"]))[:count]
@@ -110,7 +111,7 @@ def envelopes(run: RunResult) -> dict[str, list[dict[str, Any]]]:
         time, values = data["time"].values, middle_forces(run.model, forces)
         still = None if forces.static is None else middle_forces(run.model, forces.static)
         low, high = place_of_largest(-values, axis=0), place_of_largest(values, axis=0)
-        unsure = set(data.attrs.get("not_unique", []))
+        unsure, at_times = set(data.attrs.get("not_unique", [])), data.attrs.get("not_unique_at", {})
         entries = []
         for k, name in enumerate(map(str, data["member"].values)):
             if (isinstance(members[name], Brace) and name not in beams) or np.isnan(values[:, k]).any():
@@ -125,7 +126,7 @@ def envelopes(run: RunResult) -> dict[str, list[dict[str, Any]]]:
                     "largest": float(largest),
                     "largest_time": float(time[high[k]]),
                     "at_rest": None if still is None else float(still[at, k]),
-                    "unique": name not in unsure,
+                    "unique": name not in unsure and not {time[low[k]], time[high[k]]} & {*at_times.get(name, ())},
                 }
             )
         found[case] = largest_first(entries, lambda entry: max(-entry["least"], entry["largest"]))

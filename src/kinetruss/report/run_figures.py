@@ -8,14 +8,14 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from kinetruss.display import instant
+from kinetruss.display import instant, moment
 from kinetruss.display.ranks import largest_first, order_of
 from kinetruss.model.bracing import CHORD
 from kinetruss.report.mechanism_figures import mechanism_figures
 from kinetruss.report.pictures.specs import Bars, Drawing, Figure, Histories, Panel
 from kinetruss.report.pictures.stands import drawing, shown_at
 from kinetruss.report.run_data import worst
-from kinetruss.runs.doubts import moment, poses_of
+from kinetruss.runs.doubts import poses_of
 from kinetruss.runs.mission_results import check_histories
 from kinetruss.strength.beam_verdict import middle_forces
 from kinetruss.viewer.places import Places

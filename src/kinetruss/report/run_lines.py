@@ -7,11 +7,11 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from kinetruss.display import number, quantity
+from kinetruss.display import moment, number, quantity
 from kinetruss.display.ranks import place_of_largest
 from kinetruss.model.runs import FLEXIBLE
 from kinetruss.report.run_data import peak
-from kinetruss.runs.doubts import moment, poses_of
+from kinetruss.runs.doubts import poses_of
 
 if TYPE_CHECKING:
     from kinetruss.results import Result, Simulation

@@ -7,12 +7,11 @@ from collections import Counter
 from collections.abc import Iterable, Mapping, Sequence
 from typing import Any
 
-from kinetruss.display import Table, margin, number, quantity
+from kinetruss.display import Table, margin, moment, number, quantity
 from kinetruss.display.ranks import largest_first
 from kinetruss.display.tables import MOST, Column, Of, bar, drawn, measured, mixed, seconds, span_bar, together, words
 from kinetruss.model.data import FORCE_ELEMENTS
 from kinetruss.results.wide_tables import exceeds
-from kinetruss.runs.doubts import moment
 
 Record = dict[str, Any]
 Rows = Sequence[Record]

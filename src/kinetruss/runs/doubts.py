@@ -4,14 +4,14 @@ load cases that no check includes.
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Iterator, Mapping
 from typing import TYPE_CHECKING, Any, Protocol
 
 import numpy as np
 
-from kinetruss.display import counted, instant, number
+from kinetruss.display import counted, moment, number
 from kinetruss.display.ranks import largest
-from kinetruss.mechanics import not_unique_note
+from kinetruss.mechanics import not_unique_at_notes, not_unique_note
 
 if TYPE_CHECKING:
     from kinetruss.results import Forces, Motion, Result, Simulation
@@ -49,15 +49,6 @@ def poses_of(run: Ran) -> list[str]:
     return [str(name) for name in data["pose"].values] if "pose" in data.coords else []
 
 
-def moment(time: float, poses: Sequence[str]) -> str:
-    """When a value is found: the name of a pose, whose time is its number, or the time.
-
-    >>> moment(1.0, ["low", "high"]), moment(0.5, [])
-    ('pose high', 't = 0.5 s')
-    """
-    return f"pose {poses[round(time)]}" if poses and time == time else f"t = {instant(time)}"
-
-
 def doubts(run: Ran) -> Iterator[str]:
     """Sentences on what makes the numbers of a run unsure, most serious first."""
     balance, gauge = energy_balance(run), singularity(run)
@@ -76,6 +67,7 @@ def doubts(run: Ran) -> Iterator[str]:
             f"The force is not unique in {', '.join(names)}: the structure is redundant, and the distribution "
             "depends on stiffness or convention."
         )
+    yield from _not_unique_at(run)
     for case, found in run.statics.items():
         soft = {"unstable": "of negative stiffness", "neutral": "without stiffness"}
         if ways := [f"{counted(k, 'mode')} {what}" for name, what in soft.items() if (k := int(found.attrs.get(name, 0)))]:
@@ -87,12 +79,22 @@ def doubts(run: Ran) -> Iterator[str]:
 
 def remarks(run: Ran) -> str:
     """The message of a run without what its doubts say."""
-    return run.message.replace(not_unique_note(not_unique(run)), "").strip() if run.message else ""
+    left = run.message
+    for said in (not_unique_note(not_unique(run)), *_not_unique_at(run)):
+        left = left.replace(said, "") if said else left
+    return " ".join(left.split())
 
 
 def not_unique(run: Ran) -> list[str]:
     """Members whose force is not unique in a load case."""
     return list(dict.fromkeys(name for forces in run.forces.values() for name in forces.attrs.get("not_unique", [])))
+
+
+def _not_unique_at(run: Ran) -> list[str]:
+    """Sentences on singular positions in which forces are not unique, in a load case."""
+    poses = [repr(name) for name in poses_of(run)]
+    found = (not_unique_at_notes(forces.attrs.get("not_unique_at", {}), poses) for forces in run.forces.values())
+    return list(dict.fromkeys(note for notes in found for note in notes))
 
 
 def singularity(run: Ran) -> dict[str, float] | None:

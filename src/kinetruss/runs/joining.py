@@ -207,6 +207,12 @@ def _forces(parts: list[Forces], motion: Motion) -> Forces:
     statics = [part.static for part in parts if part.static is not None]
     static = _along_time(statics).with_(motion=motion) if statics else None
     whole: Forces = _along_time(parts)
+    at: dict[str, list[float]] = {}
+    for part in parts:
+        for name, times in part.attrs.get("not_unique_at", {}).items():
+            at[name] = [*at.get(name, ()), *times]
+    if at:
+        whole.whole.attrs["not_unique_at"] = at
     return whole.with_(motion=motion, static=static)
 
 

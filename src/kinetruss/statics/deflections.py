@@ -15,6 +15,7 @@ from kinetruss.kernels.structure.structure import LENGTH, EndForces, States
 from kinetruss.kinematics import platform_jacobian
 from kinetruss.kinematics.own_motion import check_motion
 from kinetruss.mechanics import System, arrange, compile
+from kinetruss.mechanics.accuracy import SILENT, accuracy_note
 from kinetruss.mechanics.elements import has_elements
 from kinetruss.mechanics.loads import ROTATES, Loads
 from kinetruss.mechanics.rotating_base import ROTATION
@@ -22,7 +23,6 @@ from kinetruss.mechanics.transfer import displacements, flat_positions
 from kinetruss.model import Model, nearest
 from kinetruss.model.data import ELEMENT_FIELDS
 from kinetruss.results import Forces, Motion, Result, provenance, variable
-from kinetruss.statics.refinement import SILENT, accuracy_note
 from kinetruss.statics.small_displacements import flexibility, loads_at, solve, stiff_rows
 from kinetruss.threads import one_thread
 

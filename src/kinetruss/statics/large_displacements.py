@@ -14,6 +14,7 @@ from kinetruss.dynamics.bar_actions import mean_tension_at_rest
 from kinetruss.errors import AnalysisError, InputError
 from kinetruss.kernels.structure.structure import ANGLE, LENGTH
 from kinetruss.mechanics import System, compile, constraint_jacobian, not_unique_note, rearrange
+from kinetruss.mechanics.accuracy import SILENT, accuracy_note
 from kinetruss.mechanics.arguments import number_of, positions_of
 from kinetruss.mechanics.balance import Balance, balance_of, measure_forces, row_tensions
 from kinetruss.mechanics.elements import named_motions
@@ -25,7 +26,6 @@ from kinetruss.model.beam_checks import spin_note
 from kinetruss.results import Column, Result, Status, provenance, variable
 from kinetruss.results.user_parts import part_axes, reactions, rotation_columns, support_axes
 from kinetruss.results.wide_tables import element_axes, element_columns, force_units, other_columns
-from kinetruss.statics.refinement import SILENT, accuracy_note
 from kinetruss.statics.saddle_point import LOOKED_AT, rows_of
 from kinetruss.statics.search import CLOSED, SearchResult, closed, find_equilibrium, row_errors
 from kinetruss.threads import one_thread

@@ -19,6 +19,7 @@ from kinetruss.dynamics.bar_actions import mean_tension_at_rest
 from kinetruss.errors import AnalysisError, InputError, few
 from kinetruss.kernels.structure.structure import LENGTH
 from kinetruss.mechanics import CABLE, System, compile, constraint_jacobian, ends_of
+from kinetruss.mechanics.accuracy import NOTHING, SILENT, accuracy_note
 from kinetruss.mechanics.arguments import number_of, positions_of
 from kinetruss.mechanics.balance import measure_forces
 from kinetruss.mechanics.elements import element_forces, named_laws, strained_forces
@@ -30,7 +31,6 @@ from kinetruss.model.beam_checks import spin_note
 from kinetruss.results import Result, Status, provenance, variable
 from kinetruss.results.user_parts import part_axes, reactions, rotation_columns, support_axes
 from kinetruss.results.wide_tables import coordinate_axes, displaced_columns, element_columns, force_units
-from kinetruss.statics.refinement import NOTHING, SILENT, accuracy_note
 from kinetruss.statics.small_displacements import (
     Solved,
     Weight,

@@ -20,11 +20,8 @@ from kinetruss.mechanics import System, arrange, cached, compile
 from kinetruss.mechanics.arguments import number_of, refuse_without_inner
 from kinetruss.mechanics.beam_shapes import shaped
 from kinetruss.mechanics.positions import row_values, shortest
-from kinetruss.mechanics.transfer import flat_positions
 from kinetruss.model import Model, Quintic, trajectory_faults
 from kinetruss.results import Forces, Motion, Result, Status, variable
-from kinetruss.statics.refinement import accuracy_note
-from kinetruss.statics.saddle_point import weakest_block
 from kinetruss.statics.small_displacements import Weight, loads_at, weight_word
 from kinetruss.threads import one_thread
 
@@ -93,9 +90,7 @@ def at_poses(
     else:
         values = given if isinstance(given, np.ndarray) else _drives(model, given)
         motion, closed, stopped = _reached(system, values, names)
-    forces = _forces(system, motion, names, load_case, word, load_time) if motion.whole.sizes["time"] else None
-    if forces is not None and (said := _unsure(system, motion, closed, names)):
-        forces = forces.with_(message=f"{forces.message} {said}".strip())
+    forces = _forces(system, motion, names, load_case, word, load_time, closed) if motion.whole.sizes["time"] else None
     if stopped:
         raise AnalysisError(stopped, forces)
     if forces is None:
@@ -182,32 +177,6 @@ def _geometry(system: System, value: bytes) -> tuple[NDArray[np.float64], float]
     return found, share
 
 
-def _unsure(system: System, motion: Motion, closed: NDArray[np.bool_] | None, names: list[str]) -> str:
-    """The message on the pose with the least accurate forces.
-
-    Positions closed from lengths are good to eps/s, forces at given positions to eps/s, s the smallest singular value of a
-    block of the Jacobian.
-    """
-    if arrange(system := shaped(system)).plan is None:
-        return ""
-    x = flat_positions(system, motion.arrays["position"].values).reshape(-1, *system.x0.shape)
-    worst, at = 0.0, 0
-    for i, place in enumerate(x):
-        least = _least(system, place.tobytes())
-        power = 2 if closed is not None and closed[i] else 1
-        error = EPS / least**power if least else np.inf
-        if error > worst:
-            worst, at = error, i
-    said = accuracy_note(system, x[at], worst)
-    return f"Pose {names[at]!r}: {said}" if said else ""
-
-
-@cached(256)
-def _least(system: System, place: bytes) -> float:
-    """Smallest singular value of the blocks at positions: the same of every load case."""
-    return weakest_block(system, arrange(system).plan, np.frombuffer(place).reshape(-1, 3))
-
-
 def _rows(system: System, value: NDArray[np.float64]) -> NDArray[np.float64]:
     """Prescribed values of the rows at drive values (drives,)."""
     wanted = system.row_value.copy()
@@ -229,14 +198,22 @@ def _refuse_contradiction(system: System, x: NDArray[np.float64], wanted: NDArra
             )
 
 
-def _forces(system: System, motion: Motion, names: list[str], load_case: str | None, word: str, time: float) -> Forces:
-    """Forces of the poses, the time axis counting them."""
+def _forces(
+    system: System,
+    motion: Motion,
+    names: list[str],
+    load_case: str | None,
+    word: str,
+    time: float,
+    closed: NDArray[np.bool_] | None,
+) -> Forces:
+    """Forces of the poses, the time axis counting them; closed (poses,) : positions that were computed from lengths."""
     count = motion.whole.sizes["time"]
     loads = loads_at(system, np.full(count, time), load_case, word, rotating=True)
     if loads.base is not None and loads.base.turns:
         raise InputError("Poses have no time, so gravity cannot turn with it. Leave out gravity_turns, or give a motion.")
     motion = motion.with_(data=_counted(motion.whole, names[:count]))
-    forces = at_rest(system, motion, loads)
+    forces = at_rest(system, motion, loads, closed)
     forces.whole.attrs |= {"weight": word, "load_time": time}
     return forces.with_(data=_counted(forces.whole, names[:count]))
 

@@ -1,4 +1,4 @@
-"""Sparse solutions with error bounds: iterative refinement in doubled precision, and the message if digits are lost.
+"""Sparse solutions with error bounds: iterative refinement in doubled precision.
 
     r = b - M y in twice the working precision,  M d = r,  y <- y + d        (Wilkinson 1963; Skeel 1980)
     |error| <= |M^-1| (|r| + eps (|M| |y| + |b|))                            (Arioli, Demmel & Duff 1989)
@@ -9,7 +9,6 @@ estimated by a few solutions with the same factors (Hager 1984).
 
 from __future__ import annotations
 
-import math
 from collections.abc import Callable
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any
@@ -18,10 +17,6 @@ import numpy as np
 from scipy.sparse import csr_array, diags_array
 from scipy.sparse.linalg import LinearOperator, onenormest
 
-from kinetruss.kernels.structure.structure import LENGTH
-from kinetruss.mechanics import System, constraint_jacobian, row_directions, row_ends
-from kinetruss.mechanics.mobility import moves_text, ranked
-from kinetruss.mechanics.null_space import Spaces
 from kinetruss.mechanics.rows import SYMMETRIC, diagonal_factors, factors_of
 
 if TYPE_CHECKING:
@@ -216,56 +211,3 @@ def fill_order(pattern: Any) -> NDArray[np.int64]:
 
 def _largest(values: NDArray[np.float64]) -> float:
     return float(np.abs(values).max(initial=0.0))
-
-
-# The message if digits are lost: how many are left, which mechanism is near, and the fix.
-
-SILENT = 1e-7
-"""Relative error up to which there is no message."""
-
-NOTHING = 0.1
-"""Relative error from which no digit is accurate."""
-
-SHALLOW = 1e-4
-"""The weakest mode is next to a mechanism if its strain over its relative motion is below this."""
-
-
-def accuracy_note(system: System, x: NDArray[np.float64], force: float, displacement: float = 0.0) -> str:
-    """Accuracy of forces and displacements, by bounds on their errors, and what limits it; empty if they are accurate.
-
-    The weakest mode of the rows of `system` at x (n, 3) is named with the bars that resist it.
-    """
-    if force <= SILENT and displacement <= SILENT:
-        return ""
-    texts = [
-        f"{what} are {_digits(error)}" for what, error in (("Forces", force), ("displacements", displacement)) if error > SILENT
-    ]
-    said = " and ".join(texts)
-    return f"{said[0].upper()}{said[1:]}: {_cause(system, x)}"
-
-
-def _digits(error: float) -> str:
-    if not error < NOTHING:
-        return "not sure to one digit"
-    digits = int(-math.log10(error))
-    return f"sure to about {digits} digit{'s' if digits != 1 else ''}"
-
-
-def _cause(system: System, x: NDArray[np.float64]) -> str:
-    bars = np.flatnonzero(system.row_kind == LENGTH)
-    if not len(bars) or not len(system.free):
-        return "the stiffnesses are too far apart. Make them more alike."
-    flat = np.zeros(system.x0.size)
-    flat[system.free] = Spaces(constraint_jacobian(system, x)[:, system.free]).weakest
-    moved = flat.reshape(-1, 3)
-    apart = row_ends(system, moved, bars)
-    part = np.linalg.norm(apart, axis=1)
-    strain = np.abs(np.einsum("rc,rc->r", row_directions(system, x, rows=bars), apart))
-    names = ", ".join(system.parts_of(bars[k] for k in ranked(part, 0.5))[:4])
-    way = moves_text(system, moved[:, : system.dim])
-    if strain.max() < SHALLOW * part.max():
-        return (
-            f"the structure is next to a mechanism: {way}, held almost across by {names}. Add a bar or a support that holds "
-            "this way, or move the nodes out of line."
-        )
-    return f"the structure is badly conditioned, weakest where {way}. Stiffen it there, or make stiffnesses more alike."

@@ -14,7 +14,8 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 from scipy.sparse import block_array, csc_array, diags_array, eye_array
 
-from kinetruss.mechanics import RANK_TOLERANCE, System, arrange, constraint_jacobian, rearrange
+from kinetruss.mechanics import RANK_TOLERANCE, System, arrange, rearrange
+from kinetruss.mechanics.accuracy import weakest_block
 from kinetruss.mechanics.rows import diagonal_factors, factors_of, null_basis
 
 if TYPE_CHECKING:
@@ -74,22 +75,6 @@ def rows_of(system: System, x: NDArray[np.float64]) -> Rows:
         return Rows(kept=every, redundant=every[:0], weight=one)
     found = rearrange(system, x, None)
     return Rows(kept=np.setdiff1d(every, found.redundant), redundant=found.redundant, weight=found.weight)
-
-
-def weakest_block(system: System, plan: Any, x: NDArray[np.float64]) -> float:
-    """Smallest singular value over the largest of a block of the Jacobian at x (n, 3); rows match the coordinates one to one.
-
-    A closed loop may match as well and still move: then the ratio is 0 to round-off.
-    """
-    J = constraint_jacobian(system, x)
-    J = J.toarray() if J.shape[0] <= LOOKED_AT else J
-    least = np.inf
-    for first, last in zip(plan.ptr[:-1], plan.ptr[1:], strict=True):
-        rows, columns = plan.row[first:last], plan.col[first:last]
-        block = J[np.ix_(rows, columns)] if isinstance(J, np.ndarray) else J[rows][:, columns].toarray()
-        sizes = np.linalg.svd(block, compute_uv=False)
-        least = min(least, float(sizes[-1] / sizes[0])) if sizes[0] else 0.0
-    return least
 
 
 class Saddle:

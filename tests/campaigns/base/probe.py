@@ -24,7 +24,7 @@ from models import Case
 from kinetruss.dynamics.equations import equations
 from kinetruss.dynamics.linear_state import moving_forces
 from kinetruss.dynamics.prescribed import apply_loads as left_over
-from kinetruss.kernels.solve import kkt
+from kinetruss.kernels.solve import accelerations, kkt
 from kinetruss.kernels.structure.applied import applied, no_force
 from kinetruss.kernels.structure.structure import ANGLE, LENGTH, EndForces, States
 from kinetruss.kernels.sweep.forces import energies
@@ -174,7 +174,7 @@ class Forward:
 
     def right_sides(self) -> Part:
         """gamma of J a = gamma."""
-        kkt.row_gammas(self.eq, self.ws, self.x, self.v, out := np.zeros(len(self.rows)))
+        accelerations.row_gammas(self.eq, self.ws, self.x, self.v, out := np.zeros(len(self.rows)))
         return self.by_row(out, 10 * self.q.pace * self.q.turn)
 
     def met(self, a: np.ndarray) -> bool:
@@ -216,7 +216,7 @@ class Forward:
     def solved(self) -> tuple[np.ndarray, np.ndarray, float]:
         """Accelerations, what the rows pull with on gradients of size 1, and the smallest pivot."""
         x, v, a, N = self.x.copy(), self.v.copy(), np.zeros(self.x.size), np.zeros(len(self.rows))
-        pivot = kkt.evaluate(self.eq, self.ws, no_force, self.q.case.t, x, v, a, N)
+        pivot = accelerations.evaluate(self.eq, self.ws, no_force, self.q.case.t, x, v, a, N)
         return a, N * self.unit, pivot
 
 

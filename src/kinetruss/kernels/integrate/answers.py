@@ -12,7 +12,8 @@ from kinetruss.kernels.compiled.jit import kernel_inline
 from kinetruss.kernels.compiled.record import F1
 from kinetruss.kernels.integrate import state as m
 from kinetruss.kernels.integrate.state import Control, Memory, Work
-from kinetruss.kernels.solve.kkt import accelerate, factor, kinetic, potential, prepare_rows, project_near
+from kinetruss.kernels.solve.accelerations import accelerate
+from kinetruss.kernels.solve.kkt import factor, kinetic, potential, prepare_rows, project_near
 from kinetruss.kernels.structure.equations import Equations, Workspace
 
 PROJECT, PIVOT, EVALUATE, ENERGY = 1, 2, 4, 8

@@ -13,16 +13,8 @@ from kinetruss.kernels.compiled.record import F0, F1, F2, I1, Record, record
 from kinetruss.kernels.integrate import state as m
 from kinetruss.kernels.integrate.state import Control, Memory
 from kinetruss.kernels.integrate.tangent import tangent_factor, tangent_solve
-from kinetruss.kernels.solve.kkt import (
-    add_constraint_forces,
-    add_friction,
-    factor,
-    prepare_rows,
-    row_along,
-    row_gaps,
-    row_rate_gaps,
-    solve,
-)
+from kinetruss.kernels.solve.accelerations import add_friction
+from kinetruss.kernels.solve.kkt import add_constraint_forces, factor, prepare_rows, row_along, row_gaps, row_rate_gaps, solve
 from kinetruss.kernels.structure.applied import applied
 from kinetruss.kernels.structure.element_table import swap_elements
 from kinetruss.kernels.structure.equations import Equations, Workspace

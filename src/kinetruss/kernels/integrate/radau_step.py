@@ -35,7 +35,8 @@ from kinetruss.kernels.integrate.radau_matrices import (
     step_behind,
 )
 from kinetruss.kernels.integrate.state import Control, Memory, Samples, Work
-from kinetruss.kernels.solve.kkt import accelerate_under, evaluate, factor, prepare_rows, project_near
+from kinetruss.kernels.solve.accelerations import accelerate_under, evaluate
+from kinetruss.kernels.solve.kkt import factor, prepare_rows, project_near
 from kinetruss.kernels.structure.applied import applied
 from kinetruss.kernels.structure.equations import Equations
 from kinetruss.kernels.structure.laws import law_tension, length_rate

@@ -11,7 +11,8 @@ import math
 from kinetruss.kernels.compiled.jit import kernel, kernel_bare
 from kinetruss.kernels.compiled.larger import larger
 from kinetruss.kernels.compiled.record import F1, F2, I1, Record, record
-from kinetruss.kernels.solve.kkt import accelerate_smoothly, factor, prepare_rows, project, row_rate_gaps, rub, solve
+from kinetruss.kernels.solve.accelerations import accelerate_smoothly, rub
+from kinetruss.kernels.solve.kkt import factor, prepare_rows, project, row_rate_gaps, solve
 from kinetruss.kernels.structure.applied import applied
 from kinetruss.kernels.structure.equations import Equations, Workspace
 from kinetruss.kernels.structure.structure import ANGLE, SUM

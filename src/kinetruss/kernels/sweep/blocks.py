@@ -185,13 +185,13 @@ def _mark(plan: Plan, w: Workspace, b: int) -> None:
 
 
 @large
-def _solve_large(plan: Plan, w: Workspace, first: int, last: int, y: F1) -> None:  # noqa: ARG001 - plan has its address
-    sparse_solve(w.lu, w.order, first, last, y, w.scratch)
+def _solve_large(plan: Plan, w: Workspace, first: int, last: int, y: F1) -> float:  # noqa: ARG001 - plan has its address
+    return sparse_solve(w.lu, w.order, first, last, y, w.scratch)
 
 
 @large
-def _solve_large_transposed(plan: Plan, w: Workspace, first: int, last: int, y: F1) -> None:  # noqa: ARG001
-    sparse_solve_transposed(w.lu, w.order, first, last, y, w.scratch)
+def _solve_large_transposed(plan: Plan, w: Workspace, first: int, last: int, y: F1) -> float:  # noqa: ARG001
+    return sparse_solve_transposed(w.lu, w.order, first, last, y, w.scratch)
 
 
 @kernel_inline
@@ -210,23 +210,24 @@ def _factored(plan: Plan, w: Workspace, b: int, x: F2, i: int) -> float:
 
 
 @kernel_inline
-def solve(plan: Plan, w: Workspace, b: int, y: F1) -> None:
-    """Solve with the factors of block b in place, y[:rows of the block]."""
+def solve(plan: Plan, w: Workspace, b: int, y: F1) -> float:
+    """Solve with the factors of block b in place, y[:rows of the block].
+
+    Returns the largest reciprocal of a pivot: endless in a singular position, where rows have unit length.
+    """
     first, last = plan.ptr[b], plan.ptr[b + 1]
     if w.state[b] == SPARSE:
-        _solve_large(plan, w, first, last, y)
-    else:
-        lu_solve(w.lu, w.pivot, first, last - first, y)
+        return _solve_large(plan, w, first, last, y)
+    return lu_solve(w.lu, w.pivot, first, last - first, y)
 
 
 @kernel_inline
-def solve_transposed(plan: Plan, w: Workspace, b: int, y: F1) -> None:
-    """Solve with the transposed factors of block b in place, y[:rows of the block]."""
+def solve_transposed(plan: Plan, w: Workspace, b: int, y: F1) -> float:
+    """`solve` with the transposed factors."""
     first, last = plan.ptr[b], plan.ptr[b + 1]
     if w.state[b] == SPARSE:
-        _solve_large_transposed(plan, w, first, last, y)
-    else:
-        lu_solve_transposed(w.lu, w.pivot, first, last - first, y)
+        return _solve_large_transposed(plan, w, first, last, y)
+    return lu_solve_transposed(w.lu, w.pivot, first, last - first, y)
 
 
 @kernel_inline
@@ -284,8 +285,9 @@ def _gradients(plan: Plan, w: Workspace, x: F2, i: int) -> None:
 
 
 @kernel_inline
-def _changes(plan: Plan, w: Workspace, rhs: Floats, y: Floats, i: int, s: int) -> None:
-    """Solve for y[i, s] with the factors at sample i."""
+def _changes(plan: Plan, w: Workspace, rhs: Floats, y: Floats, i: int, s: int) -> float:
+    """Solve for y[i, s] with the factors at sample i. Returns the largest reciprocal of a pivot."""
+    largest = 1.0
     # block b: A y_b = r_b - J y of the earlier blocks
     for b in range(plan.ptr.size - 1):
         first = plan.ptr[b]
@@ -293,26 +295,30 @@ def _changes(plan: Plan, w: Workspace, rhs: Floats, y: Floats, i: int, s: int) -
             w.work[k - first] = rhs[i, s, k] - known(plan, w, k, y[i], s)
         if plan.sums.size:
             sum_known(plan, b, first, y[i, s], w.terms, w.work)
-        solve(plan, w, b, w.work)
+        largest = max(largest, solve(plan, w, b, w.work))
         for k in range(first, plan.ptr[b + 1]):
             y[i, s, plan.col[k]] = w.work[k - first]
+    return largest
 
 
 @kernel
-def transfer(plan: Plan, x: F2, rhs: Floats, y: Floats) -> None:
+def transfer(plan: Plan, x: F2, rhs: Floats, y: Floats, pivot: F1) -> None:
     """Solve J y = rhs at every sample; redundant rows are left out.
 
     x (times, 3 n) m; rhs (times, k, rows) in the plan's order of rows: change of length, m, of angle times length, m,
     or of a sum times its scale.
     y (times, k, 3 n): holds the changes of prescribed coordinates, m, and zeros; receives those of the free ones.
+    pivot (times,): receives the smallest pivots.
     """
     w = workspace(plan)
     # factors once a sample, one forward sweep for each right-hand side
     for i in range(x.shape[0]):
         _gradients(plan, w, x, i)
+        largest = 1.0
         for b in range(plan.ptr.size - 1):
             if plan.sums.size:
                 sum_terms(plan, b, x[i], w.terms)
             factor_gradients(plan, w, b)
         for s in range(rhs.shape[1]):
-            _changes(plan, w, rhs, y, i, s)
+            largest = _changes(plan, w, rhs, y, i, s)
+        pivot[i] = 1.0 / largest

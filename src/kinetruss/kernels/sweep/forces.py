@@ -16,7 +16,14 @@ from kinetruss.kernels.structure.laws import law_energy, law_tension, length_rat
 from kinetruss.kernels.structure.mass import at, direction, pair_times, varying_energy, varying_forces, varying_times
 from kinetruss.kernels.structure.structure import EndForces, NodalLoads, Plan, States, Structure
 from kinetruss.kernels.structure.sums import add_sum_force, sum_of, sum_terms
-from kinetruss.kernels.sweep.blocks import Workspace, factor, gradients, set_targets, solve_transposed, workspace
+from kinetruss.kernels.sweep.blocks import (
+    Workspace,
+    factor,
+    gradients,
+    set_targets,
+    solve_transposed,
+    workspace,
+)
 from kinetruss.kernels.sweep.lu import lu_factor, lu_solve
 
 __all__ = ["applied", "energies", "forces", "shares"]
@@ -37,19 +44,24 @@ def _add_row(plan: Plan, w: Workspace, k: int, amount: float, rest: F1) -> None:
 
 
 @kernel_inline
-def _sweep_back(plan: Plan, w: Workspace, rest: F1, N: F1) -> None:
-    """Solve J^T N = rest over the blocks from last to first; rest keeps what no row carries (prescribed coordinates)."""
+def _sweep_back(plan: Plan, w: Workspace, rest: F1, N: F1) -> float:
+    """Solve J^T N = rest over the blocks from last to first; rest keeps what no row carries (prescribed coordinates).
+
+    Returns the largest reciprocal of a pivot.
+    """
+    largest = 1.0
     # A^T N_b = rest of block b; its J^T N goes off the coordinates of earlier blocks
     for b in range(plan.ptr.size - 2, -1, -1):
         first, last = plan.ptr[b], plan.ptr[b + 1]
         for k in range(first, last):
             w.work[k - first] = rest[plan.col[k]]
-        solve_transposed(plan, w, b, w.work)
+        largest = max(largest, solve_transposed(plan, w, b, w.work))
         for k in range(first, last):
             N[k] = w.work[k - first]
             _add_row(plan, w, k, N[k], rest)
         for j in range(plan.sum_ptr[b], plan.sum_ptr[b + 1]):
             add_sum_force(plan, j, w.terms, N[plan.sum_row[j]], rest)
+    return largest
 
 
 @kernel_inline
@@ -190,12 +202,21 @@ def applied(structure: Structure, loads: NodalLoads, states: States, out: EndFor
 
 @kernel
 def forces(
-    plan: Plan, weight: F1, structure: Structure, loads: NodalLoads, values: F2, states: States, N: F2, out: EndForces
+    plan: Plan,
+    weight: F1,
+    structure: Structure,
+    loads: NodalLoads,
+    values: F2,
+    states: States,
+    N: F2,
+    out: EndForces,
+    pivot: F1,
 ) -> None:
     """Fill N (times, rows), joint and rest for positions, velocities, accelerations.
 
     N by the rows of the system; weight (rows,) of the redundant share, in the plan's order. values (times, drives).
     joint : force on each member at its ends. rest : minus the reaction at prescribed coordinates; round-off elsewhere.
+    pivot (times,) : the smallest of the factors, rows of unit length.
     """
     w, x, rest = workspace(plan), states.x, out.rest
     row_force, blocks = np.empty(plan.row.size), plan.ptr.size - 1
@@ -205,7 +226,7 @@ def forces(
         set_targets(plan, w, values, i)
         for b in range(blocks):
             factor(plan, w, b, x, i)
-        _sweep_back(plan, w, rest[i], row_force)
+        pivot[i] = 1.0 / _sweep_back(plan, w, rest[i], row_force)
         if plan.ptr[-1] < row_force.size:
             gradients(plan, w, plan.ptr[-1], row_force.size, x, i)
             if plan.sums.size:

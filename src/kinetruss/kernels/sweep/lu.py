@@ -59,7 +59,7 @@ def _factor(lu: F2, pivot: I1, first: int, n: int) -> float:
 
 
 @kernel_inline
-def _solve(lu: F2, pivot: I1, first: int, n: int, b: F1) -> None:
+def _solve(lu: F2, pivot: I1, first: int, n: int, b: F1) -> float:
     # P b
     for k in range(n):
         at = pivot[first + k]
@@ -71,19 +71,26 @@ def _solve(lu: F2, pivot: I1, first: int, n: int, b: F1) -> None:
         value = b[i]
         for j in range(i + 1, n):
             b[j] -= lu[first + j, i] * value
+    largest = 0.0
     # back substitution with U, column by column
     for i in range(n - 1, -1, -1):
-        value = b[i] * lu[first + i, i]
+        inverse = lu[first + i, i]
+        largest = max(largest, abs(inverse))
+        value = b[i] * inverse
         b[i] = value
         for j in range(i):
             b[j] -= lu[first + j, i] * value
+    return largest
 
 
 @kernel_inline
-def _solve_transposed(lu: F2, pivot: I1, first: int, n: int, b: F1) -> None:
+def _solve_transposed(lu: F2, pivot: I1, first: int, n: int, b: F1) -> float:
+    largest = 0.0
     # forward substitution with U^T
     for i in range(n):
-        value = b[i] * lu[first + i, i]
+        inverse = lu[first + i, i]
+        largest = max(largest, abs(inverse))
+        value = b[i] * inverse
         b[i] = value
         for j in range(i + 1, n):
             b[j] -= lu[first + i, j] * value
@@ -98,6 +105,7 @@ def _solve_transposed(lu: F2, pivot: I1, first: int, n: int, b: F1) -> None:
         kept = b[at]
         b[at] = b[k]
         b[k] = kept
+    return largest
 
 
 @kernel_bare
@@ -116,29 +124,27 @@ def lu_factor(lu: F2, pivot: I1, first: int, n: int) -> float:
 
 
 @kernel_inline
-def lu_solve(lu: F2, pivot: I1, first: int, n: int, b: F1) -> None:
-    """Solve A y = b in place, with the factors of `lu_factor`; b[:n]."""
+def lu_solve(lu: F2, pivot: I1, first: int, n: int, b: F1) -> float:
+    """Solve A y = b in place, with the factors of `lu_factor`; b[:n]. Returns the largest reciprocal of a pivot."""
     if n == 9:
-        _solve(lu, pivot, first, 9, b)
-    elif n == 3:
-        _solve(lu, pivot, first, 3, b)
-    elif n == 2:
-        _solve(lu, pivot, first, 2, b)
-    else:
-        _solve(lu, pivot, first, n, b)
+        return _solve(lu, pivot, first, 9, b)
+    if n == 3:
+        return _solve(lu, pivot, first, 3, b)
+    if n == 2:
+        return _solve(lu, pivot, first, 2, b)
+    return _solve(lu, pivot, first, n, b)
 
 
 @kernel_inline
-def lu_solve_transposed(lu: F2, pivot: I1, first: int, n: int, b: F1) -> None:
-    """Solve A^T y = b in place, with the factors of `lu_factor`; b[:n]."""
+def lu_solve_transposed(lu: F2, pivot: I1, first: int, n: int, b: F1) -> float:
+    """Solve A^T y = b in place, with the factors of `lu_factor`; b[:n]. Returns the largest reciprocal of a pivot."""
     if n == 9:
-        _solve_transposed(lu, pivot, first, 9, b)
-    elif n == 3:
-        _solve_transposed(lu, pivot, first, 3, b)
-    elif n == 2:
-        _solve_transposed(lu, pivot, first, 2, b)
-    else:
-        _solve_transposed(lu, pivot, first, n, b)
+        return _solve_transposed(lu, pivot, first, 9, b)
+    if n == 3:
+        return _solve_transposed(lu, pivot, first, 3, b)
+    if n == 2:
+        return _solve_transposed(lu, pivot, first, 2, b)
+    return _solve_transposed(lu, pivot, first, n, b)
 
 
 # LU of the sparse matrices of large blocks: which pivots, and where the factors are not zero, is found once and kept.
@@ -296,9 +302,10 @@ def _parity(row: U1, col: U1, first: int, last: int) -> float:
 
 
 @kernel_bare
-def sparse_solve(lu: F2, order: Order, first: int, last: int, b: F1, scratch: F1) -> None:
-    """Solve A y = b in place, b[:last-first], with the factors in this order."""
+def sparse_solve(lu: F2, order: Order, first: int, last: int, b: F1, scratch: F1) -> float:
+    """Solve A y = b in place, b[:last-first], with the factors in this order. Returns the largest reciprocal of a pivot."""
     row, col, low, up, n_low, n_up = order
+    largest = 0.0
     # forward substitution with unit L
     for k in range(first, last):
         value, c = b[row[k] - first], col[k]
@@ -313,19 +320,23 @@ def sparse_solve(lu: F2, order: Order, first: int, last: int, b: F1, scratch: F1
             j = up[k, s]
             value -= lu[r, j] * scratch[j]
         scratch[c] = value * lu[r, c]
+        largest = max(largest, abs(lu[r, c]))
     # solution back to b
     for k in range(last - first):
         b[k] = scratch[k]
+    return largest
 
 
 @kernel_bare
-def sparse_solve_transposed(lu: F2, order: Order, first: int, last: int, b: F1, scratch: F1) -> None:
-    """Solve A^T y = b in place, b[:last-first], with the factors in this order."""
+def sparse_solve_transposed(lu: F2, order: Order, first: int, last: int, b: F1, scratch: F1) -> float:
+    """Solve A^T y = b in place, b[:last-first], with the factors in this order. Returns the largest reciprocal of a pivot."""
     row, col, low, up, n_low, n_up = order
+    largest = 0.0
     # forward substitution with U^T
     for k in range(first, last):
         r, c = row[k], col[k]
         value = b[c] * lu[r, c]
+        largest = max(largest, abs(lu[r, c]))
         scratch[r - first] = value
         for s in range(n_up[k]):
             j = up[k, s]
@@ -341,3 +352,4 @@ def sparse_solve_transposed(lu: F2, order: Order, first: int, last: int, b: F1, 
     # solution back to b
     for k in range(last - first):
         b[k] = scratch[k]
+    return largest

@@ -7,13 +7,13 @@ import re
 from collections.abc import Iterator, Mapping, Sequence
 from typing import TYPE_CHECKING, Any
 
-from kinetruss.display import Markup, counted, element, instant, number, quantity
+from kinetruss.display import Markup, counted, element, instant, moment, number, quantity
 from kinetruss.display.ranks import largest
 from kinetruss.model import bends
 from kinetruss.report.drive_data import exceeded
 from kinetruss.report.tables import cased, is_over, is_single, not_checked, share_of, used_of
 from kinetruss.runs import MissionRun
-from kinetruss.runs.doubts import moment, not_unique, poses_of, remarks
+from kinetruss.runs.doubts import not_unique, poses_of, remarks
 
 if TYPE_CHECKING:
     from kinetruss.report.entries import Entry
