@@ -157,6 +157,15 @@ def length_along(model: ModelData, one: Beam | Link) -> float:
     return sum(math.dist(model.nodes[a].at, model.nodes[b].at) for a, b in pairwise(nodes))
 
 
+def is_straight(model: ModelData, link: Link) -> bool:
+    """Whether the nodes of a link lie on one line, in order."""
+    if not is_sound(model, link):
+        return False
+    return length_along(model, link) <= (1 + LINE) * math.dist(
+        *(model.nodes[node].at for node in (link.nodes[0], link.nodes[-1]))
+    )
+
+
 def _known(model: ModelData, link: Link, field: str) -> bool:
     """Whether the section or material of a link is known."""
     chosen = getattr(link, field) if getattr(link, field) is not None else getattr(model, field)
@@ -195,7 +204,9 @@ def column_ends(model: Model, name: str) -> str | float:
 
 
 LINE = 1e-6
-"""Sine of the angle between a part of a link and its orientation below which these are parallel."""
+"""Sine of the angle below which a part of a link and its orientation are parallel; and how much longer than the distance of its
+ends a straight link may be, as a fraction.
+"""
 
 
 def piece_at(model: Model, name: str, place: float) -> str:
