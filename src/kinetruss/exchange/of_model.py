@@ -12,6 +12,7 @@ from kinetruss.exchange.of_laws import Place, Turn, acting, armed, couplings_of,
 from kinetruss.exchange.rigid import masses_of, rigid_parts, rods_of
 from kinetruss.exchange.robots import Closure, DrivenLength, LeftOut, Link, Pivot, Robot, RobotOfModel, placement
 from kinetruss.model import GROUND, AngleDrive, HingeDrive, Model
+from kinetruss.model.links import with_stiff_links
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray
@@ -33,6 +34,7 @@ TABLES = {
 
 def robot_of_model(model: Model, position: Any = None) -> RobotOfModel:
     """The robot of a model. position (n, dim), m : the pose; by default that of the model."""
+    model = with_stiff_links(model)
     nodes = model.whole.nodes
     x = np.zeros((len(nodes), 3))
     x[:, : model.dim] = [node.at for node in nodes.values()] if position is None else np.asarray(position)[:, : model.dim]

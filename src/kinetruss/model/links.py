@@ -80,6 +80,18 @@ class Link(Record):
         return self.nodes[0], last
 
 
+class StiffLink(Link):
+    """A link of which only the shape and the mass are asked: without section forces, whatever its section (inner)."""
+
+
+def with_stiff_links(model: Model) -> Model:
+    """The model with links that are rigid parts of it."""
+    if not model.links:
+        return model
+    stiff = {"kind": "rigid", "damping": 0.0}
+    return model.with_(links={name: StiffLink(**(dict(one) | stiff)) for name, one in model.links.items()})
+
+
 class Piece(Beam):
     """The part of a link between two of its pins that follow each other (inner).
 
@@ -146,6 +158,8 @@ def pieces(model: ModelData) -> dict[str, Piece]:
 
 def bends(model: ModelData, one: Beam | Link) -> bool:
     """Whether a beam or link has section forces: an elastic beam, a link with section and material."""
+    if isinstance(one, StiffLink):
+        return False
     if isinstance(one, Link):
         return _known(model, one, "section") and _known(model, one, "material")
     return one.kind == "elastic"
