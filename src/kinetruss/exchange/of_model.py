@@ -20,7 +20,7 @@ if TYPE_CHECKING:
 
 TABLES = {
     "loads": "loads are not carried",
-    "beams": "beams are not carried",
+    "beams": "elastic beams are not carried",
     "membranes": "membranes are not carried",
     "solids": "solids are not carried",
     "bearings": "friction is not carried",
@@ -51,7 +51,12 @@ class _Maker:
         for index, part in enumerate(self.parts):
             for node in part.nodes:
                 self.at.setdefault(node, []).append(index)
-        self.left = [LeftOut(table, one, why) for table, why in TABLES.items() for one in getattr(model, table)]
+        self.left = [
+            LeftOut(table, one, why)
+            for table, why in TABLES.items()
+            for one, record in getattr(model, table).items()
+            if table != "beams" or record.kind == "elastic"  # rigid ones are parts
+        ]
         if model.base_rotation is not None:
             self.left.append(LeftOut("base_rotation", "model", "the base rests"))
         self.left += [
