@@ -356,3 +356,52 @@ def test_links_pass_each_other_and_beams_at_a_node():
     barred = kt.Model(**frame, bars={"one": ("B", "F"), "two": ("F", "C")}, loads=push)
     one, other = kt.statics.linear(linked), kt.statics.linear(barred)
     np.testing.assert_allclose(one.displacement.values, other.displacement.values, rtol=1e-8, atol=1e-12)
+
+
+@pytest.mark.parametrize("axes", ["global", "member"])
+def test_a_load_along_a_link_passes_over_its_pins(axes):
+    """Wind on a boom from 0.5 m to its tip, growing from q to 3 q: shear and moment by hand on both sides of the pin."""
+    q, model = 200.0, boom(loads={})
+    snow = kt.MemberLoad(member="boom", force=(0, -q), start=0.5, shape=(1.0, 3.0), axes=axes)
+    model = model.with_(loads={"snow": snow})
+
+    def beyond(x):
+        """Moment at x >= 0.5 of the load beyond it."""
+        s = np.linspace(x, 2.0, 20001)
+        return np.trapezoid(q * (1 + 2 * (s - 0.5) / 1.5) * (s - x), s)
+
+    for result in (kt.statics.linear(model), kt.runs.forces_at_rest(model)):
+        ram = beyond(0.5) + 0.5 * 1.5 * 2 * q
+        thrust = -result.member_force.values.reshape(-1)[0]
+        assert thrust == pytest.approx(ram, rel=1e-7)
+        np.testing.assert_allclose(moments(model, result, "boom", [0.5, 0.75]), [-beyond(1.0), -beyond(1.5)], rtol=1e-7)
+
+
+def test_a_load_along_a_bent_link_is_global():
+    bent = {"nodes": {"O": (0, 0), "M": (1, 0), "T": (2, 1), "P": (1, -1)}}
+    with pytest.raises(kt.errors.ModelError, match="the link 'boom' is bent"):
+        boom(**bent, loads={"snow": kt.MemberLoad(member="boom", force=(0, -1.0), axes="member")})
+    model = boom(**bent, loads={"snow": kt.MemberLoad(member="boom", force=(0, -100.0))})
+    rest = kt.statics.linear(model)
+    long = math.sqrt(2)
+    assert -rest.member_force.item() == pytest.approx(100 * (0.5 + long * 1.5), rel=1e-9)
+
+
+@pytest.mark.slow
+def test_a_load_along_a_link_turns_it_in_a_simulation():
+    """A uniform load q on a link pinned at O: alpha = q L^2/2/(rho A (L^3/3 + r^2 L)) at the start, and its moments."""
+    q, L, r = 50.0, 2.0, 0.06**2 / 12
+    model = boom(
+        nodes={"O": (0, 0), "M": (1, 0), "T": (2, 0), "Z": (0, 1), "Y": (1, 1)}, fixed=["O", "Z"], bars={},
+        beams={"other": ("Z", "Y")}, clamped=["Z"],
+        loads={"wind": kt.MemberLoad(member="boom", force=(0, -q), axes="member")},
+    )  # fmt: skip
+    alone = {name: at for name, at in model.nodes.items() if name in "OMT"}
+    for chosen in (model, model.with_(nodes=alone, fixed=["O"], beams={}, clamped=[])):
+        run = kt.dynamics.simulate(chosen, 1e-3, samples=2)
+        alpha = -run.motion.acceleration.sel(node="T", axis="y")[0].item() / L
+        assert alpha == pytest.approx(q * L**2 / 2 / (LINE * (L**3 / 3 + r * L)), rel=1e-9)
+        s = 1.0
+        swept = (L**3 - s**3) / 3 - s * (L**2 - s**2) / 2
+        hand = -(q * (L - s) ** 2 / 2 - LINE * alpha * (swept + r * (L - s)))
+        assert moments(chosen, run.forces, "boom", [0.5])[0] == pytest.approx(hand, rel=1e-9)

@@ -12,6 +12,7 @@ from kinetruss.exchange.of_laws import Place, Turn, acting, armed, couplings_of,
 from kinetruss.exchange.rigid import masses_of, rigid_parts, rods_of
 from kinetruss.exchange.robots import Closure, DrivenLength, LeftOut, Link, Pivot, Robot, RobotOfModel, placement
 from kinetruss.model import GROUND, AngleDrive, HingeDrive, Model
+from kinetruss.model.links import with_stiff_links
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray
@@ -19,7 +20,7 @@ if TYPE_CHECKING:
 
 TABLES = {
     "loads": "loads are not carried",
-    "beams": "beams are not carried",
+    "beams": "elastic beams are not carried",
     "membranes": "membranes are not carried",
     "solids": "solids are not carried",
     "bearings": "friction is not carried",
@@ -33,6 +34,7 @@ TABLES = {
 
 def robot_of_model(model: Model, position: Any = None) -> RobotOfModel:
     """The robot of a model. position (n, dim), m : the pose; by default that of the model."""
+    model = with_stiff_links(model)
     nodes = model.whole.nodes
     x = np.zeros((len(nodes), 3))
     x[:, : model.dim] = [node.at for node in nodes.values()] if position is None else np.asarray(position)[:, : model.dim]
@@ -49,7 +51,12 @@ class _Maker:
         for index, part in enumerate(self.parts):
             for node in part.nodes:
                 self.at.setdefault(node, []).append(index)
-        self.left = [LeftOut(table, one, why) for table, why in TABLES.items() for one in getattr(model, table)]
+        self.left = [
+            LeftOut(table, one, why)
+            for table, why in TABLES.items()
+            for one, record in getattr(model, table).items()
+            if table != "beams" or record.kind == "elastic"  # rigid ones are parts
+        ]
         if model.base_rotation is not None:
             self.left.append(LeftOut("base_rotation", "model", "the base rests"))
         self.left += [

@@ -19,8 +19,10 @@ from kinetruss.library.bodies import MassProperties, combined, properties_of, ro
 from kinetruss.limits import hold
 from kinetruss.mechanics import compile, constraint_jacobian
 from kinetruss.mechanics.rows import null_basis
-from kinetruss.model import Model
+from kinetruss.model import Model, WholeModel
+from kinetruss.model.beam_frames import rigid_beams, sound_beams
 from kinetruss.model.data import ModelData
+from kinetruss.model.links import frame_at
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray
@@ -94,12 +96,16 @@ def _pairs(model: ModelData, system: Any) -> dict[frozenset[int], str]:
     }
 
 
-def _seeds(model: ModelData, pairs: Iterable[frozenset[int]]) -> Iterator[tuple[str, list[int]]]:
-    """Nodes that are in one part: of bodies, of triangles of bars (in the plane of bars)."""
+def _seeds(model: WholeModel, pairs: Iterable[frozenset[int]]) -> Iterator[tuple[str, list[int]]]:
+    """Nodes that are in one part: of bodies, of frames of links, of triangles of bars (in the plane of bars)."""
     place = {name: k for k, name in enumerate(model.nodes)}
     for name, body in model.bodies.items():
         if body.kind == "rigid":
             yield name, [place[node] for node in body.nodes]
+    for name, link in model.links.items():
+        frame = model.inner.frames.get(frame_at(link, name, link.nodes[0]))
+        if frame is not None:
+            yield name, [place[node] for node in frame.all]
     beside: dict[int, set[int]] = {}
     names = {frozenset((place[a], place[b])): name for name, (a, b) in ((n, bar.ends) for n, bar in model.bars.items())}
     for pair in pairs:
@@ -218,7 +224,7 @@ def masses_of(
 
 
 def _members(model: Model, x: Any) -> list[tuple[str, MassProperties, list[int]]]:
-    """Bars of constant length with mass. Members that change their length are in no part, so they are reported."""
+    """Bars of constant length and rigid beams with mass. Members that change their length are in no part: reported."""
     system = compile(model)
     found = []
     for k, name in enumerate(system.members):
@@ -231,6 +237,11 @@ def _members(model: Model, x: Any) -> list[tuple[str, MassProperties, list[int]]
             found.append((name, _flat(mass, center, inertia), nodes))
         elif mass := 0.0 if system.two_rods[k] else float(system.rods[k, 0]):
             found.append((name, rod_properties(a, b, mass=mass), nodes))
+    rigid = [name for name, beam in sound_beams(system.model) if beam.kind == "rigid"]
+    for name, one in zip(rigid, rigid_beams(system.model), strict=True):
+        if one.mass:
+            nodes = [system.node_index(node) for node in one.nodes]
+            found.append((name, rod_properties(*x[nodes], mass=one.mass), nodes))
     return found
 
 

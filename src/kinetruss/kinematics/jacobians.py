@@ -78,7 +78,7 @@ def jacobian(
     [[0. 1.]
      [2. 0.]]
     """
-    system = compile(model)
+    system = shaped(compile(model))
     x, time = state_of(system, state)
     wanted = coordinates(system, of)
     by = coordinates(system, list(system.drives) if wrt is None else wrt)
@@ -202,7 +202,7 @@ def transfer_functions(
     >>> found.first.sel(node="B").values.ravel().tolist(), found.second.sel(node="B").values.ravel().tolist()
     ([0.0, 2.0], [-2.0, 0.0])
     """
-    system = compile(model)
+    system = shaped(compile(model))
     x = positions_of(system, position)
     at = dof_basis(system, dofs, x, free)
     F = first_order_of(at)

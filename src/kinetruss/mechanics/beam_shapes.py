@@ -111,7 +111,8 @@ def rigid_links(system: System) -> FixedShapes | None:
         return None
     held, continua = _with_shapes(system, found, np.flatnonzero(rigid)), cast("Continua", system.continua)
     if continua.patches or not rigid.all():
-        return replace(held, system=replace(held.system, continua=replace(continua, beams=found.chosen(~rigid))))
+        left = replace(continua, beams=None if rigid.all() else found.chosen(~rigid))
+        return replace(held, system=replace(held.system, continua=left, loaded=found))
     # with their mass alone they are like bodies
     heavy, pairs = np.flatnonzero(continua.lump), np.flatnonzero(continua.mass)
     more: dict[str, Any] = {
@@ -123,7 +124,7 @@ def rigid_links(system: System) -> FixedShapes | None:
     for name, behind in more.items():
         own = getattr(system, name)
         more[name] = np.concatenate([own, behind]).astype(own.dtype)
-    return replace(held, system=replace(held.system, continua=None, **more))
+    return replace(held, system=replace(held.system, continua=None, loaded=found, **more))
 
 
 def _with_shapes(system: System, found: BeamElements, loose: NDArray[np.int64]) -> FixedShapes:

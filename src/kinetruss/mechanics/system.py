@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING, Any, cast
 
 import numpy as np
 
+from kinetruss.elements.beams import BeamElements
 from kinetruss.elements.continua_arrays import Continua
 from kinetruss.elements.numbers import sums_at
 from kinetruss.errors import InputError, shown
@@ -47,7 +48,8 @@ class System:
     "spring stiffness" of all of a kind, NaN what is not given; load_numbers as "load NAME force", "case NAME gravity" and "body
     NAME center".
     prescribed (3 n,) mask; coordinate_drive (k, 2): flat coordinate, drive. supports: nodes with a fixed axis.
-    continua : membranes and solids, or None.
+    continua : membranes, solids and elastic beams, or None. loaded : all beams on which loads along them act, where rows hold
+    some (beam_shapes.rigid_links), which are none of `continua` then.
     """
 
     given: Model
@@ -106,6 +108,7 @@ class System:
     coordinate_drive: NDArray[np.int32]
     drive_start: NDArray[np.float64]
     continua: Continua | None = None
+    loaded: BeamElements | None = None
 
     @cached_property
     def memory(self) -> dict[Any, Any]:

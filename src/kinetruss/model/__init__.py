@@ -53,6 +53,7 @@ if TYPE_CHECKING:
         Piece as Piece,
         bends as bends,
         column_ends as column_ends,
+        is_straight as is_straight,
         length_along as length_along,
         piece_at as piece_at,
     )

@@ -80,6 +80,18 @@ class Link(Record):
         return self.nodes[0], last
 
 
+class StiffLink(Link):
+    """A link of which only the shape and the mass are asked: without section forces, whatever its section (inner)."""
+
+
+def with_stiff_links(model: Model) -> Model:
+    """The model with links that are rigid parts of it."""
+    if not model.links:
+        return model
+    stiff = {"kind": "rigid", "damping": 0.0}
+    return model.with_(links={name: StiffLink(**(dict(one) | stiff)) for name, one in model.links.items()})
+
+
 class Piece(Beam):
     """The part of a link between two of its pins that follow each other (inner).
 
@@ -146,6 +158,8 @@ def pieces(model: ModelData) -> dict[str, Piece]:
 
 def bends(model: ModelData, one: Beam | Link) -> bool:
     """Whether a beam or link has section forces: an elastic beam, a link with section and material."""
+    if isinstance(one, StiffLink):
+        return False
     if isinstance(one, Link):
         return _known(model, one, "section") and _known(model, one, "material")
     return one.kind == "elastic"
@@ -155,6 +169,15 @@ def length_along(model: ModelData, one: Beam | Link) -> float:
     """Length of a beam or link, m."""
     nodes = one.nodes if isinstance(one, Link) else one.ends
     return sum(math.dist(model.nodes[a].at, model.nodes[b].at) for a, b in pairwise(nodes))
+
+
+def is_straight(model: ModelData, link: Link) -> bool:
+    """Whether the nodes of a link lie on one line, in order."""
+    if not is_sound(model, link):
+        return False
+    return length_along(model, link) <= (1 + LINE) * math.dist(
+        *(model.nodes[node].at for node in (link.nodes[0], link.nodes[-1]))
+    )
 
 
 def _known(model: ModelData, link: Link, field: str) -> bool:
@@ -195,7 +218,9 @@ def column_ends(model: Model, name: str) -> str | float:
 
 
 LINE = 1e-6
-"""Sine of the angle between a part of a link and its orientation below which these are parallel."""
+"""Sine of the angle below which a part of a link and its orientation are parallel; and how much longer than the distance of its
+ends a straight link may be, as a fraction.
+"""
 
 
 def piece_at(model: Model, name: str, place: float) -> str:

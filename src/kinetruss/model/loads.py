@@ -11,6 +11,7 @@ from pydantic import Discriminator, Field, PlainValidator, Tag, WithJsonSchema, 
 
 from kinetruss.errors import Fault
 from kinetruss.model.common_faults import components
+from kinetruss.model.links import bends, is_sound, is_straight, length_along
 from kinetruss.model.record import (
     Distance,
     Flag,
@@ -226,7 +227,7 @@ BEYOND = 1e-9
 class AlongMember(InTime):
     """What loads along members have in common."""
 
-    member: Annotated[Name, Ref("bar or beam", "bars", "beams")]
+    member: Annotated[Name, Ref("bar or beam", "bars", "beams", "links")]
     times: _Times = None
     shape: Annotated[tuple[Number, Number], Series] = (1.0, 1.0)
     start: Distance | None = None
@@ -238,7 +239,7 @@ class MemberLoad(AlongMember):
 
     force : constant force a length, N/m. Lengths are those of the model: the whole does not change when the member does.
     times, forces : a table in place of `force`, s and N/m.
-    member : name of a bar that is rigid, driven or elastic, or of an elastic beam.
+    member : name of a bar that is rigid, driven or elastic, of an elastic beam, or of a link with section and material.
     shape : factors of the force where it begins and where it ends, linear in between; (0, 1) is a triangle.
     start, end : where it begins and ends, m from the first end of the member; by default at the ends.
     axes : ``global``: it keeps its direction; ``member``: its components are along the axes of the member, with which it turns
@@ -292,6 +293,9 @@ def along_faults(load: AlongMember, model: ModelData, dim: int, path: tuple[Any,
     """What does not fit the model: the member, or a place beyond its ends."""
     if load.amount == "force":
         yield from vector_faults(load, model, dim, path)
+    if load.member in model.links:
+        yield from _along_link(load, model, path)
+        return
     one = model.bars.get(load.member) or model.beams.get(load.member)
     if one is None or not all(node in model.nodes for node in one.ends):
         return
@@ -304,7 +308,26 @@ def along_faults(load: AlongMember, model: ModelData, dim: int, path: tuple[Any,
         message = f"acts along the {one.kind} {'beam' if beam else 'bar'} {load.member!r}."
         mend = "Name an elastic beam." if beam else "Name a rigid, driven or elastic bar: others carry nothing across them."
         yield Fault((*path, "member"), message, mend, about=about)
-    length = math.dist(*(model.nodes[node].at for node in one.ends))
+    yield from _beyond(load, math.dist(*(model.nodes[node].at for node in one.ends)), path, about)
+
+
+def _along_link(load: AlongMember, model: ModelData, path: tuple[Any, ...]) -> Iterator[Fault]:
+    link, about = model.links[load.member], (("links", load.member),)
+    if isinstance(load, MemberCouple):
+        mend = "Name a bar of a planar model, or give couples on bodies."
+        yield Fault((*path, "member"), "is a couple along a link.", mend, about=about)
+    elif not bends(model, link):
+        message = f"acts along the link {load.member!r}, which has no section or no material."
+        yield Fault((*path, "member"), message, "Give the link both, or forces at its nodes.", about=about)
+    elif getattr(load, "axes", "") == "member" and len(link.nodes) > 2 and not is_straight(model, link):
+        message = f"has axes: member, and the link {load.member!r} is bent."
+        yield Fault((*path, "axes"), message, "Give the load in global axes.", about=about)
+    elif is_sound(model, link):
+        yield from _beyond(load, length_along(model, link), path, about)
+
+
+def _beyond(load: AlongMember, length: float, path: tuple[Any, ...], about: tuple[tuple[str, str], ...]) -> Iterator[Fault]:
+    """Places beyond the ends of a member."""
     start, end = load.start or 0.0, length if load.end is None else load.end
     if max(start, end) > (1.0 + BEYOND) * length:
         message = f"is {max(start, end):.6g} m along {load.member!r}, which is {length:.6g} m long."

@@ -24,6 +24,7 @@ if TYPE_CHECKING:
 SECTIONS = 97
 """Sections at which a beam is judged at least: a parabola is at most 1.1e-4 higher between them."""
 BEAM_QUANTITIES = ("tension", "compression", "bending", "stress", "combined")
+BENT = "not checked: a bent link buckles with the whole structure, by an analysis of its own (statics.buckling)"
 STABILITY = "not checked: a beam buckles with the whole structure, by an analysis of its own (statics.buckling)"
 BARE = "not checked: no section, or no material"
 UNKNOWN = "not checked: the positions are not those of a structure in balance, so beams have no forces (statics.equilibrium)"
@@ -178,7 +179,7 @@ def beam_notes(
         elif np.isnan(stress[k]):
             section = model.section_of(spans_of(compile(model)).records[k])
             found[k, 0] = f"not checked: no shear stress of torsion of a {getattr(section, 'kind', '')} section"
-        found[k, 1] = STABILITY if compression[k] > 0 else "never in compression"
+        found[k, 1] = (BENT if name in model.links else STABILITY) if compression[k] > 0 else "never in compression"
         if compression[k] > 0 and columns.ends[k]:
             found[k, 1] = f"{'Johnson' if columns.johnson[k] else 'Euler'}, {columns.ends[k]}, over the whole length"
             if np.isnan(combined[k]):

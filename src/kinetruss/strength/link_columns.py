@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, cast
 import numpy as np
 
 from kinetruss.mechanics import System, cached
-from kinetruss.model import Link, column_ends
+from kinetruss.model import Link, column_ends, is_straight
 from kinetruss.strength.beam_spans import spans_of
 from kinetruss.strength.critical_loads import amplification, critical_load, euler_load
 
@@ -17,9 +17,6 @@ if TYPE_CHECKING:
     from numpy.typing import NDArray
 
     from kinetruss.model import Model
-
-STRAIGHT = 1e-6
-"""How much longer than the distance of its ends a straight link may be, as a fraction."""
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
@@ -79,8 +76,7 @@ def _column(model: Model, name: str, one: object, length: float) -> tuple[str, f
     """
     if not isinstance(one, Link):
         return NONE
-    apart = math.dist(*(model.nodes[node].at for node in (one.nodes[0], one.nodes[-1])))
-    if length > (1 + STRAIGHT) * apart:
+    if not is_straight(model, one):
         return NONE
     ends, section, material = column_ends(model, name), model.section_of(one), model.material_of(one)
     assert material is not None  # noqa: S101 - it has a section and a material

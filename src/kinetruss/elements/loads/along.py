@@ -27,6 +27,7 @@ from kinetruss.elements.numbers import apart, chosen
 from kinetruss.kernels.compiled.jit import kernel, kernel_bare
 from kinetruss.kernels.compiled.record import F1, F2, I1, Record, Vector, record
 from kinetruss.kernels.structure.tables import entry_at
+from kinetruss.model import Piece
 
 if TYPE_CHECKING:
     from kinetruss.mechanics.bars import Bars
@@ -136,10 +137,35 @@ def _span(system: System, load: MemberLoad | MemberCouple) -> tuple[Any, Any]:
     return 0.0 if load.start is None else load.start / length, 1.0 if load.end is None else load.end / length
 
 
+def _beams(system: System) -> Any:
+    """The elastic beams, and those that rows hold in their shape; None without any."""
+    return system.loaded if system.loaded is not None or system.continua is None else system.continua.beams
+
+
 def _on_beams(system: System, load: MemberLoad) -> Iterator[OnBeam]:
-    beams = None if system.continua is None else system.continua.beams
-    if beams is not None and load.member in beams.names:
+    beams = _beams(system)
+    if beams is not None and load.member in system.model.links:
+        yield from _on_link(system, beams.names, load)
+    elif beams is not None and load.member in beams.names:
         yield OnBeam(beams.names.index(load.member), *_span(system, load), *load.shape, load.axes == "member")
+
+
+def _on_link(system: System, names: tuple[str, ...], load: MemberLoad) -> Iterator[OnBeam]:
+    """The same of the parts of a link, each with its share of the load."""
+    own = {name: beam for name, beam in system.model.beams.items() if isinstance(beam, Piece) and beam.link == load.member}
+    ends = [[system.x0[..., system.node_index(node), : system.dim] for node in beam.ends] for beam in own.values()]
+    lengths = [apart(*pair) for pair in ends]
+    begin = np.asarray(0.0 if load.start is None else load.start)
+    end = np.asarray(sum(lengths) if load.end is None else load.end)
+    first, last = load.shape
+    at: Any = np.zeros(())
+    for name, length in zip(own, lengths, strict=True):
+        low = begin if begin.real.max() > at.real.max() else at
+        high = end if end.real.min() < np.asarray(at + length).real.min() else at + length
+        if np.all(np.real(high) > np.real(low)):
+            one, two = (first + (last - first) * (place - begin) / (end - begin) for place in (low, high))
+            yield OnBeam(names.index(name), (low - at) / length, (high - at) / length, one, two, load.axes == "member")
+        at = at + length
 
 
 def _along_bar(system: System, load: MemberLoad) -> tuple[NDArray[np.int64], NDArray[np.float64], NDArray[np.float64]]:
@@ -164,7 +190,8 @@ def _along_bar(system: System, load: MemberLoad) -> tuple[NDArray[np.int64], NDA
 
 
 def _loads(system: System, load: MemberLoad) -> tuple[UnitLoad, ...]:
-    (nodes, data, reference), axes = (_along_beam if [*_on_beams(system, load)] else _along_bar)(system, load), np.eye(3)
+    parts = [_along_beam(system, one) for one in _on_beams(system, load)]
+    (nodes, data, reference), axes = _joined(parts) if parts else _along_bar(system, load), np.eye(3)
     if load.axes == "member":
         planar = int(system.dim == 2)
         return tuple(TurnedLoad(nodes=nodes, data=data, reference=reference, planar=planar, axis=c) for c in range(system.dim))
@@ -174,9 +201,25 @@ def _loads(system: System, load: MemberLoad) -> tuple[UnitLoad, ...]:
     return tuple(Follower(mode=FORCE, nodes=nodes, data=shared, vector=np.append(one, 0.0)) for one in axes[: system.dim])
 
 
-def _along_beam(system: System, load: MemberLoad) -> tuple[NDArray[np.int64], NDArray[np.float64], NDArray[np.float64]]:
+def _joined(
+    parts: list[tuple[NDArray[np.int64], NDArray[np.float64], NDArray[np.float64]]],
+) -> tuple[NDArray[np.int64], NDArray[np.float64], NDArray[np.float64]]:
+    """Loads on the parts of a link as one, with the axes of the first: it is straight where they count."""
+    if len(parts) == 1:
+        return parts[0]
+    nodes = np.unique(np.concatenate([own for own, *_ in parts]))
+    data = np.zeros((*parts[0][1].shape[:-2], len(nodes), 3), parts[0][1].dtype)
+    for k, (own, given, _) in enumerate(parts):
+        at = np.searchsorted(nodes, own)
+        data[..., at, 0] += given[..., 0]
+        if not k:
+            data[..., at, 1:] = given[..., 1:]
+    return nodes, data, parts[0][2]
+
+
+def _along_beam(system: System, one: OnBeam) -> tuple[NDArray[np.int64], NDArray[np.float64], NDArray[np.float64]]:
     """The same of a load along an elastic beam; h is the mean of axis 2 at both ends."""
-    (one,), beams = _on_beams(system, load), cast("Any", system.continua).beams
+    beams = cast("Any", _beams(system))
     v = beams.nodes.shape[1]
     across = beams.axes[..., one.beam, 1, :] + beams.ends[..., one.beam, 1, :]
     along = np.broadcast_to(np.eye(v)[v // 2] - np.eye(v)[0], across.shape)
@@ -193,7 +236,7 @@ def _couples(system: System, load: MemberCouple) -> tuple[UnitLoad, ...]:
 
 
 def _places(system: System, bars: Bars, load: MemberLoad | MemberCouple) -> Iterator[OnMember | OnOthers]:
-    if load.member in bars.index:
+    if load.member in bars.index and load.member not in system.model.links:
         first, last = load.shape
         couple = None if load.amount == "force" else (2.0 * first / (first + last), 2.0 * last / (first + last))
         yield OnMember(bars.index[load.member], Spread(*_span(system, load), couple))
