@@ -9,9 +9,8 @@ found = run.quantities["all"]
 x, y = (found.value.sel(quantity=name).values for name in ("foot_x", "foot_y"))
 down = y < y.min() + 0.01
 torque = run.forces["all"].drive_force.sel(drive="motor")
-print(
-    f"the foot goes {np.ptp(x[down]):.3f} m within 10 mm of the ground in {down.mean():.0%} of a turn, and rises {np.ptp(y):.3f} m"
-)
+way, share = np.ptp(x[down]), down.mean()
+print(f"the foot goes {way:.3f} m within 10 mm of the ground in {share:.0%} of a turn, and rises {np.ptp(y):.3f} m")
 print(f"its speed there is {np.abs(found.rate.sel(quantity='foot_x').values[down]).mean():.2f} m/s on average")
 print(f"the crank needs up to {np.abs(torque).max().item():.2f} N m")
 assert np.ptp(x[down]) > 0.5
