@@ -232,7 +232,7 @@ def test_joint_forces_by_member_node_axis_and_time(folder):
     assert json.loads(told) == record
     assert list(record["joint_force"][0]["global"]) == ["z"]
     assert call("info", folder / "run", "--joints", "--member", "LX").exit_code == 2
-    assert call("info", folder / "run", "--member", "LA").exit_code == 2
+    assert call("info", folder / "run", "--axis", "x").exit_code == 2
     assert call("info", folder / "tripod.yaml", "--joints").exit_code == 2
 
 
@@ -385,7 +385,7 @@ def runs_good(path: Path) -> int:
 @pytest.mark.parametrize(
     ("arguments", "words"),
     [
-        (("info", "run", "--member", "LA"), "go with --joints"),
+        (("info", "run", "--axis", "x"), "go with --joints"),
         (("info", "run", "--joints", "--time", "3 kg"), "is not a time"),
         (("info", "nowhere"), "does not exist"),
         (("run", "tripod.yaml"), "-o OUT"),

@@ -100,7 +100,7 @@ KINDS = {
     "motion only": (lambda: fourbar(runs={"turn": kt.Run(analysis="kinematics.follow", trajectory=MOVES)}), [],
                     ["Member forces", "Strength", "Actuators", "Simulation"]),
     "planar, no motors": (lambda: fourbar(), ["Member forces", "Strength"], ["Actuators", "Simulation"]),
-    "let go": (lambda: kt.Model(**PENDULUM), ["Simulation", "Member forces"], ["Motion", "Actuators"]),
+    "let go": (lambda: kt.Model(**PENDULUM), ["Simulation", "Member forces", "Motion"], ["Actuators"]),
 }  # fmt: skip
 
 

@@ -89,7 +89,7 @@ export class Inspector {
     const [A, B] = [scene.ends[2 * member], scene.ends[2 * member + 1]];
     const kind = scene.header.kinds[member];
     const title = el("h2", {}, scene.members[member], el("small", {}, ` ${kind}${kind === "cable" ? "" : " member"}, `, this.link(view, A), " → ", this.link(view, B)));
-    const found = [title, this.values(() => this.memberValues(view, member)), this.history(view, member)];
+    const found = [title, this.values(() => this.memberValues(view, member)), this.history(view, member), ...this.driveHistories(view, member)];
     if (!scene.has("member_force")) return found;
     if ((scene.header.beams || []).includes(member)) found.push(...this.beam(view, member));
     else if (!scene.header.bodies.some((body) => body.member === member)) found.push(...this.mechanics(view, member));
@@ -141,6 +141,20 @@ export class Inspector {
       plot(canvas, curves, { title, unit: channel.unit, cursor: scene.time[view.frame], limit });
     });
     return canvas;
+  }
+
+  /** Force or torque of the drives that move a member. */
+  driveHistories(view, member) {
+    const { scene } = view;
+    if (scene.frames < 2 || !scene.has("drive_force")) return [];
+    return scene.header.drives.flatMap((drive, k) => {
+      const y = Array.from(scene.time, (_, frame) => scene.number("drive_force", frame, k));
+      if (drive.member !== member || !y.some(Number.isFinite)) return [];
+      const turns = drive.unit === "rad";
+      const canvas = el("canvas", { class: "plot", role: "img", "aria-label": `drive ${drive.name} over time` });
+      this.updates.push(() => plot(canvas, [{ x: scene.time, y, label: "" }], { title: `${turns ? "Torque" : "Force"} of drive ${drive.name}`, unit: turns ? "N m" : "N", cursor: scene.time[view.frame] }));
+      return [canvas];
+    });
   }
 
   /** Section forces along a beam, where the scene has them. */

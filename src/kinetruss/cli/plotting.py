@@ -24,7 +24,7 @@ Quantities (several --quantity give panels above each other):
              angle, angular_velocity, angular_acceleration
   quantities each quantity of the model by its name; quantity: all, quantity_rate, quantity_second_rate
   actuators  thrust (actuator_force), motor_torque (torque), current, voltage; drive: all four;
-             drive_force, interface_force, interface_moment, screw_torque, motor_speed, stroke,
+             drive_force, drive_power, interface_force, interface_moment, screw_torque, motor_speed, stroke,
              holding_torque, breakaway_torque, mechanical_power, electrical_power
   elastic    displacement, elongation; frequency, actuator_share, mac; drive_length, change, error;
              settled, difference (statics.deflection and flexible.*)

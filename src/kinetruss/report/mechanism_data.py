@@ -173,7 +173,7 @@ def member_turns(run: RunResult, names: Sequence[str] = ()) -> list[dict[str, An
 def angle_histories(run: RunResult, names: Sequence[str]) -> list[tuple[Array, Array, Array]]:
     """Angle, rate and second rate (times,) of members: rad, rad/s, rad/s^2; in space from the direction at the start."""
     if run.model.dim == 2:
-        found = quantities(run.model, run.motion, {f"{k}": f'angle(member("{name}"))' for k, name in enumerate(names)})
+        found = quantities(run.model, run.motion, {f"{k}": f"angle(member({name!r}))" for k, name in enumerate(names)})
         return [tuple(found[one].values[:, k] for one in ("value", "rate", "second_rate")) for k in range(len(names))]  # type: ignore[misc]
     data, own = run.motion.whole, {**run.model.members, **run.model.bending}
     place = {str(name): k for k, name in enumerate(data["node"].values)}

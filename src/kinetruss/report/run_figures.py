@@ -33,9 +33,9 @@ __all__ = ["figures", "specifications"]
 CURVES = 7
 """Largest number of curves in one panel: the number of colours that all readers can distinguish."""
 BARS = 14
-POSES, ALIKE = 101, 0.02
-"""Samples among which the poses of a shape are chosen; distance of two, as a share of the way from the first, that makes them
-alike.
+POSES, ALIKE, APART = 101, 0.02, 0.25
+"""Samples among which the poses of a shape are chosen; distances of two, as shares of the way from the first, that make them
+alike, and that extremes have from the others.
 """
 
 
@@ -119,8 +119,8 @@ def _shape(run: RunResult) -> Drawing:
 
 def _apart(position: NDArray[np.float64]) -> list[int]:
     """At most three samples of positions (t, n, dim) that show different poses: first, middle and last; or where two of them
-    are alike (after a full turn, a way back) the extremes of the motion along its main direction, and what is farthest from
-    both.
+    are alike (after a full turn, a way back) the first and the extremes of the motion along its main direction, or what is
+    farthest from those chosen.
     """
     few = np.unique(np.linspace(0, len(position) - 1, min(len(position), POSES)).round().astype(int))
     reach = float(np.abs(position[few] - position[0]).max(initial=0.0))
@@ -129,14 +129,21 @@ def _apart(position: NDArray[np.float64]) -> list[int]:
         return min(float(np.abs(position[k] - position[i]).max(initial=0.0)) for i in others)
 
     chosen = sorted({0, len(position) // 2, len(position) - 1})
-    if not reach or all(far(k, [i for i in chosen if i != k]) > ALIKE * reach for k in chosen[1:]):
-        return chosen if reach else [0]
+    if all(far(k, [i for i in chosen if i != k]) > ALIKE * reach for k in chosen[1:]):
+        return chosen
     # the main direction of all positions as vectors, from their products with each other
     flat = (position[few] - position[few].mean(axis=0)).reshape(len(few), -1)
     main = np.linalg.eigh(flat @ flat.T)[1][:, -1]
-    chosen = [int(few[main.argmin()]), int(few[main.argmax()])]
-    best = max(few.tolist(), key=lambda k: far(k, chosen))
-    return sorted({*chosen, *([best] if far(best, chosen) > ALIKE * reach else [])})
+    chosen = [0]
+    for extreme in (int(few[main.argmin()]), int(few[main.argmax()])):
+        if reach and far(extreme, chosen) > APART * reach:
+            chosen.append(extreme)
+    while reach and len(chosen) < 3:
+        best = max(few.tolist(), key=lambda k: far(k, chosen))
+        if far(best, chosen) <= ALIKE * reach:
+            break
+        chosen.append(best)
+    return sorted(chosen)
 
 
 def _lengths(run: RunResult) -> Iterator[Histories]:

@@ -18,6 +18,7 @@ if TYPE_CHECKING:
     import xarray as xr
     from numpy.typing import NDArray
 
+    from kinetruss.results import Forces
     from kinetruss.runs import RunResult
 
     Array = NDArray[np.float64]
@@ -44,6 +45,7 @@ FORCES = (
     "joint_force",
     "reaction",
     "drive_force",
+    "drive_power",
     "interface_force",
     "interface_moment",
     "energy",
@@ -239,6 +241,8 @@ def _sources(run: RunResult, quantity: str, case: str | None) -> Iterator[Source
     forces = run.forces[case]
     # at rest all powers are zero
     static = None if quantity.startswith(("power", "energy")) else forces.static
+    if quantity == "drive_power":
+        yield lambda: _powers(forces), lambda: None
     yield lambda: forces.whole, lambda: None if static is None else static.whole
     if case in run.statics:
         yield lambda: run.statics[case].data, lambda: None
@@ -255,6 +259,14 @@ def _sources(run: RunResult, quantity: str, case: str | None) -> Iterator[Source
             lambda: work(run.model, run.sections[case]),
             lambda: None if static is None else work(run.model, _at_rest(run, static)),
         )
+
+
+def _powers(forces: Forces) -> dict[str, Any]:
+    """The power of every drive, W."""
+    if "drive_force" not in forces.whole:
+        return {}
+    power = forces.whole["drive_force"] * forces.motion.whole["drive_velocity"].values
+    return {"drive_power": power.rename("drive_power").assign_attrs(units="W", long_name="power of the drive")}
 
 
 def _measured(found: xr.Dataset) -> dict[str, Any]:
@@ -312,6 +324,8 @@ def _is_there(run: RunResult, name: str) -> bool:
         return any(name in one.data for one in run.statics.values())
     if name in TURNING:
         return any(name in demand.data for demand in run.demand.values())
+    if name == "drive_power":
+        return any("drive_force" in forces.whole and forces.whole.sizes["drive"] for forces in run.forces.values())
     if name in FORCES:
         return any(name in forces.whole for forces in run.forces.values())
     return bool(run.demand) if name in DEMAND else bool(run.forces)
