@@ -12,6 +12,7 @@ import signal
 import sys
 from pathlib import Path
 
+import pytest
 from hypothesis import settings
 
 from kinetruss.kernels.compiled import jit
@@ -26,3 +27,16 @@ settings.register_profile("quick", settings.get_profile("patient"), max_examples
 settings.load_profile("patient")
 
 jit.keeper.progress.stream = io.StringIO()
+
+
+@pytest.fixture
+def undrawn(monkeypatch):
+    """Pages have empty pictures: for tests of words and numbers, of which drawing takes the most time."""
+    from kinetruss.display import element
+    from kinetruss.report.document import figure, run_pictures
+    from kinetruss.report.pictures import draw
+
+    monkeypatch.setattr(draw, "draw", lambda _: None)
+    for module in (figure, run_pictures):
+        monkeypatch.setattr(module, "drawn", lambda *_, **__: None)
+        monkeypatch.setattr(module, "lines_of", lambda _, __, words: element("svg", role="img", aria_label=words))

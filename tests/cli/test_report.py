@@ -35,6 +35,7 @@ def opened(monkeypatch: pytest.MonkeyPatch) -> list[str]:
 
 
 @pytest.mark.slow
+@pytest.mark.usefixtures("undrawn")
 def test_a_report_holds_the_view_and_is_named(turn, tmp_path, opened):
     done = call("report", turn, "-o", tmp_path / "out", "--no-open", "--no-pdf")
     page = tmp_path / "out" / "report.html"
@@ -52,6 +53,7 @@ def test_a_report_holds_the_view_and_is_named(turn, tmp_path, opened):
 
 
 @pytest.mark.slow
+@pytest.mark.usefixtures("undrawn")
 def test_without_a_folder_it_goes_into_the_run_and_opens(turn, opened):
     done = call("report", turn, "--no-pdf", "--no-view", "--json")
     record = json.loads(done.stdout)
@@ -63,6 +65,7 @@ def test_without_a_folder_it_goes_into_the_run_and_opens(turn, opened):
 
 
 @pytest.mark.slow
+@pytest.mark.usefixtures("undrawn")
 def test_without_chromium_it_says_why_there_is_no_paper(turn, tmp_path, monkeypatch):
     monkeypatch.setattr(_print, "chromium", lambda: None)
     done = call("report", turn, "-o", tmp_path, "--no-view", "--no-open")
@@ -72,6 +75,7 @@ def test_without_chromium_it_says_why_there_is_no_paper(turn, tmp_path, monkeypa
 
 
 @pytest.mark.slow
+@pytest.mark.usefixtures("undrawn")
 def test_where_no_browser_starts_it_says_so(turn, tmp_path, monkeypatch):
     monkeypatch.setattr(webbrowser, "open", lambda _: False)
     done = call("report", turn, "-o", tmp_path, "--no-view", "--no-pdf")
@@ -80,6 +84,7 @@ def test_where_no_browser_starts_it_says_so(turn, tmp_path, monkeypatch):
 
 
 @pytest.mark.slow
+@pytest.mark.usefixtures("undrawn")
 def test_a_run_that_is_not_whole_is_said_to_be(tmp_path):
     def stop(done: int, total: int) -> None:
         raise KeyboardInterrupt

@@ -278,13 +278,14 @@ def test_a_long_motion_is_streamed_in_blocks(monkeypatch):
 
 
 @pytest.mark.slow
+@pytest.mark.usefixtures("undrawn")
 def test_every_command_shows_a_mission(tmp_path):
     model, out = crane(), str(tmp_path / "out")
     kt.write(model, tmp_path / "m.yaml")
     for words in (
         ["run", str(tmp_path / "m.yaml"), "all", "-o", out],
         ["info", out],
-        ["report", out, "-o", str(tmp_path / "report"), "--no-open"],
+        ["report", out, "-o", str(tmp_path / "report"), "--no-open", "--no-pdf"],
         ["view", out, "-o", str(tmp_path / "view.html")],
         ["plot", out, "--quantity", "member_force", "-o", str(tmp_path / "plot.png")],
         ["export", out, str(tmp_path / "all.csv")],

@@ -37,6 +37,7 @@ def lift() -> kt.runs.RunResult:
 
 
 @pytest.mark.slow
+@pytest.mark.usefixtures("undrawn")
 def test_a_summary_has_result_figure_calculation_and_assumptions(lift):
     page = report.document_page(lift, summary=True, view="<p>three dimensions</p>")
     names = re.findall(r'<h2><span class="count">\d+ </span>(.*?)</h2>', page.html)
@@ -61,6 +62,7 @@ def test_a_summary_takes_at_most_two_sheets(lift, tmp_path, paper):
 
 
 @pytest.mark.slow
+@pytest.mark.usefixtures("undrawn")
 def test_summary_and_report_lie_beside_each_other(lift, tmp_path):
     kt.run(tripod(), "lift", out=tmp_path / "run")
     logo = tmp_path / "logo.svg"
@@ -75,6 +77,7 @@ def test_summary_and_report_lie_beside_each_other(lift, tmp_path):
 
 
 @pytest.mark.slow
+@pytest.mark.usefixtures("undrawn")
 def test_a_png_is_embedded(lift, tmp_path):
     file = tmp_path / "logo.png"
     file.write_bytes(png())

@@ -143,6 +143,7 @@ def test_an_unreachable_pose_ends_the_run_with_the_poses_before_it(bay):
 
 @pytest.mark.slow
 @pytest.mark.parametrize("name", ["small", "large", "listed", "along", "bent"])
+@pytest.mark.usefixtures("undrawn")
 def test_every_command_shows_a_static_run(frame, bay, name, tmp_path):
     model, out = frame if name in frame.runs else bay, str(tmp_path / "out")
     kt.write(model, tmp_path / "m.yaml")
@@ -150,7 +151,7 @@ def test_every_command_shows_a_static_run(frame, bay, name, tmp_path):
         ["run", str(tmp_path / "m.yaml"), name, "-o", out],
         ["info", out],
         ["info", out, "--json"],
-        ["report", out, "-o", str(tmp_path / "report"), "--no-open"],
+        ["report", out, "-o", str(tmp_path / "report"), "--no-open", "--no-pdf"],
         ["view", out, "-o", str(tmp_path / "view.html")],
         ["plot", out, "--quantity", "member_force", "-o", str(tmp_path / "plot.png")],
         ["export", out, str(tmp_path / "all.csv")],
