@@ -1,12 +1,14 @@
 """Compiled kernels on disk: found again in their own state only, never trusted blindly, and never needed."""
 
 import ast
+import atexit
 import errno
 import json
 import os
 import shutil
 import subprocess
 import sys
+from functools import cache
 from pathlib import Path
 
 import numba
@@ -43,8 +45,39 @@ def besides_compiling(error):
     return "".join(line for line in error.splitlines(True) if not line.startswith("kinetruss: compil"))
 
 
+SERVER = """
+import json, os, sys, traceback
+import numba
+numba.njit(lambda a: a)(1)
+code = json.loads(sys.stdin.readline())
+for line in sys.stdin:
+    sys.argv[1:] = json.loads(line)
+    if (child := os.fork()) == 0:
+        try:
+            exec(code, {"__name__": "<string>"})
+        except BaseException:
+            print(json.dumps(traceback.format_exc()))
+        sys.stdout.flush()
+        os._exit(0)
+    os.waitpid(child, 0)
+"""
+
+
+@cache
+def server() -> subprocess.Popen[str]:
+    """A process with Numba loaded, of which copies run the small program."""
+    found = subprocess.Popen([sys.executable, "-c", SERVER], stdin=subprocess.PIPE, stdout=subprocess.PIPE, text=True)
+    atexit.register(found.kill)
+    found.stdin.write(json.dumps(ADD) + "\n")
+    return found
+
+
 def start(*places: Path, state: str = "s" * 16, before: tuple[str, ...] = ()) -> dict[str, object]:
-    """What a process that compiles three forms of one kernel says."""
+    """What a process that compiles three forms of one kernel says; before : a command that starts it."""
+    if not before and hasattr(os, "fork"):
+        server().stdin.write(json.dumps([state, *map(str, places)]) + "\n")
+        server().stdin.flush()
+        return json.loads(server().stdout.readline())
     command = [*before, sys.executable, "-c", ADD, state, *map(str, places)]
     done = subprocess.run(command, capture_output=True, text=True, check=False)
     assert (done.returncode, besides_compiling(done.stderr)) == (0, "")
