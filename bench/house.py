@@ -90,10 +90,15 @@ class Source:
         return min((one.lineno - 1 for node in found[:1] for one in (node, *node.decorator_list)), default=0)
 
 
+def sources(root: Path) -> list[Source]:
+    """All files below a folder."""
+    paths = (path for path in sorted(root.rglob("*.py")) if "__pycache__" not in path.parts)
+    return [Source(path, _module(root, path), path.read_text("utf-8")) for path in paths]
+
+
 def figures(root: Path) -> dict[str, Any]:
     """Every figure by name; paths and functions where a largest one is counted."""
-    paths = (path for path in sorted(root.rglob("*.py")) if "__pycache__" not in path.parts)
-    files = [Source(path, _module(root, path), path.read_text("utf-8")) for path in paths]
+    files = sources(root)
     kernels = [file for file in files if file.package == "kernels"]
     lines = sum(file.lines for file in files)
     arguments, privates = sorted(_arguments(files), reverse=True), _privates(files)
@@ -106,14 +111,14 @@ def figures(root: Path) -> dict[str, Any]:
         "lines of a file, median": statistics.median(file.lines for file in files),
         "lines of the longest file": max(file.lines for file in files),
         "lines before the first definition, %": round(100 * sum(file.head() for file in files) / lines, 1),
-        "import circles": [" ".join(circle) for circle in _circles(_imports(files))],
-        "import circles with imports for types": [" ".join(circle) for circle in _circles(_imports(files, types=True))],
+        "import circles": [" ".join(circle) for circle in circles(imports(files))],
+        "import circles with imports for types": [" ".join(circle) for circle in circles(imports(files, types=True))],
         "pairs of rooms that import each other": len(_pairs(files)),
         "private functions": len(privates),
         "private functions with one caller": sum(count == 1 for count in privates.values()),
         "most arguments outside builders": "{} in {}".format(*arguments[0]),
         "functions with 9 arguments or more": sum(count > 8 for count, _ in arguments),
-        "private imports across packages": sum(_is_private(file, one) for file in files for one in _asked(file, types=True)),
+        "private imports across packages": private_imports(files),
         "exported names": len(_exported(files)),
         "comments per 100 lines": round(100 * sum(file.comments(pragmas=False) for file in files) / lines, 2),
         "pragmas": sum(file.comments(pragmas=True) for file in files),
@@ -175,7 +180,12 @@ def _is_private(file: Source, asked: tuple[str, str]) -> bool:
     return hidden and package not in (file.package, "kernels")
 
 
-def _imports(files: list[Source], types: bool = False) -> dict[str, set[str]]:
+def private_imports(files: list[Source]) -> int:
+    """How often files ask other packages for what these keep to themselves."""
+    return sum(_is_private(file, one) for file in files for one in _asked(file, types=True))
+
+
+def imports(files: list[Source], types: bool = False) -> dict[str, set[str]]:
     """Modules that each module names in its imports."""
     modules = {file.module for file in files}
     return {
@@ -189,12 +199,12 @@ def _pairs(files: list[Source]) -> set[frozenset[str]]:
     """Folders whose files import each other."""
     rooms = {file.module: file.room for file in files}
     edges: defaultdict[str, set[str]] = defaultdict(set)
-    for module, wanted in _imports([file for file in files if file.path.name != "__init__.py"]).items():
+    for module, wanted in imports([file for file in files if file.path.name != "__init__.py"]).items():
         edges[rooms[module]] |= {rooms[one] for one in wanted} - {rooms[module]}
     return {frozenset((room, other)) for room in edges for other in edges[room] if room in edges.get(other, ())}
 
 
-def _circles(graph: dict[str, set[str]]) -> list[list[str]]:
+def circles(graph: dict[str, set[str]]) -> list[list[str]]:
     """Strongly connected components of more than one module (Tarjan, 1972)."""
     index: dict[str, int] = {}
     low: dict[str, int] = {}
