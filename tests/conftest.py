@@ -15,9 +15,12 @@ from pathlib import Path
 import pytest
 from hypothesis import settings
 
+import kinetruss as kt
 from kinetruss.kernels.compiled import jit
 
 sys.path.insert(0, str(Path(__file__).parent))
+
+from samples import fourbar, tripod
 
 if signal.getsignal(signal.SIGINT) is signal.SIG_IGN:
     signal.signal(signal.SIGINT, signal.default_int_handler)
@@ -40,3 +43,15 @@ def undrawn(monkeypatch):
     for module in (figure, run_pictures):
         monkeypatch.setattr(module, "drawn", lambda *_, **__: None)
         monkeypatch.setattr(module, "lines_of", lambda _, __, words: element("svg", role="img", aria_label=words))
+
+
+@pytest.fixture(scope="session")
+def turn():
+    """The run of a planar four-bar linkage."""
+    return kt.run(fourbar(), "turn")
+
+
+@pytest.fixture(scope="session")
+def lift():
+    """A run in space with active members and two load cases."""
+    return kt.run(tripod(), "lift")

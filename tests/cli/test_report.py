@@ -12,7 +12,7 @@ from kinetruss import runs
 from kinetruss.cli import main
 from kinetruss.report.document import writing as _print
 from kinetruss.results.folder import REPORT
-from samples import fourbar, tripod
+from samples import fourbar
 
 
 def call(*arguments: object) -> Result:
@@ -81,22 +81,6 @@ def test_where_no_browser_starts_it_says_so(turn, tmp_path, monkeypatch):
     done = call("report", turn, "-o", tmp_path, "--no-view", "--no-pdf")
     assert done.exit_code == 0
     assert "No browser could be started" in done.stderr
-
-
-@pytest.mark.slow
-@pytest.mark.usefixtures("undrawn")
-def test_a_run_that_is_not_whole_is_said_to_be(tmp_path):
-    def stop(done: int, total: int) -> None:
-        raise KeyboardInterrupt
-
-    with pytest.raises(KeyboardInterrupt):
-        runs.run(tripod(), out=tmp_path / "half", block=10, progress=stop)
-    done = call("report", tmp_path / "half", "--no-view", "--no-pdf", "--no-open")
-    assert done.exit_code == 0
-    assert "not complete: 10 of 41 samples are good" in done.stderr
-    assert "This run is not complete." in (tmp_path / "half" / "report" / "report.html").read_text()
-    record = json.loads(call("report", tmp_path / "half", "--no-view", "--no-pdf", "--no-open", "--json").stdout)
-    assert record["whole"] is False
 
 
 def test_what_is_no_run_is_refused(tmp_path):

@@ -87,10 +87,12 @@ def test_round_trip(tmp_path_factory, model, suffix):
 
 @pytest.mark.slow
 @pytest.mark.parametrize("name", kt.library.example_files())
-@pytest.mark.parametrize("suffix", [".yaml", ".yml", ".json"])
+@pytest.mark.parametrize("suffix", [".yml", ".json"])
 def test_examples(tmp_path, name, suffix):
     model = kt.read(kt.library.example_files()[name][0])
-    assert kt.read(kt.write(model, tmp_path / f"again{suffix}")) == model
+    path = kt.write(model, tmp_path / f"again{suffix}")
+    assert kt.read(path) == model
+    assert suffix == ".yml" or list(JUDGE.iter_errors(json.loads(path.read_text("utf-8")))) == []
 
 
 @given(real)

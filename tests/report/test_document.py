@@ -76,11 +76,6 @@ def embedded(text: str) -> dict:
 
 
 @pytest.fixture(scope="module")
-def lift() -> RunResult:
-    return run(tripod())
-
-
-@pytest.fixture(scope="module")
 def lift_text(lift) -> str:
     return report.document_page(lift).html
 

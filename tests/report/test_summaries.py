@@ -31,11 +31,6 @@ def png(width: int = 4, height: int = 3, rows: int = 3) -> bytes:
     return b"\x89PNG\r\n\x1a\n" + part(b"IHDR", header) + part(b"IDAT", dots) + part(b"IEND", b"")
 
 
-@pytest.fixture(scope="module")
-def lift() -> kt.runs.RunResult:
-    return kt.run(tripod(), "lift")
-
-
 @pytest.mark.slow
 @pytest.mark.usefixtures("undrawn")
 def test_a_summary_has_result_figure_calculation_and_assumptions(lift):

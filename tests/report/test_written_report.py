@@ -10,15 +10,10 @@ from kinetruss.display import browser
 from kinetruss.errors import StoreError
 from kinetruss.report.document import writing
 from kinetruss.results.folder import REPORT
-from kinetruss.runs import RunResult, run
+from kinetruss.runs import run
 from samples import fourbar
 
 PDF = b"%PDF-1.4\n...\n%%EOF\n"
-
-
-@pytest.fixture(scope="module")
-def turn() -> RunResult:
-    return run(fourbar())
 
 
 ANSWERS = """#!{python}
