@@ -36,10 +36,10 @@ jit.keeper.progress.stream = io.StringIO()
 def undrawn(monkeypatch):
     """Pages have empty pictures: for tests of words and numbers, of which drawing takes the most time."""
     from kinetruss.display import element
-    from kinetruss.report.document import figure, run_pictures
-    from kinetruss.report.pictures import draw
+    from kinetruss.report.document import figure, run_pictures, run_report
+    from kinetruss.report.entries import Figure
 
-    monkeypatch.setattr(draw, "draw", lambda _: None)
+    monkeypatch.setattr(run_report, "picture", lambda spec, number, caption: Figure(panels=[element("svg")], caption=caption))
     for module in (figure, run_pictures):
         monkeypatch.setattr(module, "drawn", lambda *_, **__: None)
         monkeypatch.setattr(module, "lines_of", lambda _, __, words: element("svg", role="img", aria_label=words))
