@@ -58,6 +58,14 @@ class Source:
         return ast.parse(self.text)
 
     @cached_property
+    def nodes(self) -> dict[type[ast.AST], list[Any]]:
+        """All nodes of the tree, by their kind."""
+        found = defaultdict(list)
+        for node in ast.walk(self.tree):
+            found[type(node)].append(node)
+        return found
+
+    @cached_property
     def lines(self) -> int:
         return len(self.text.splitlines())
 
@@ -73,7 +81,7 @@ class Source:
         """Tokens without comments, docstrings (a text that is a statement) and layout."""
         words = [token for token in self.tokens if token.type not in LAYOUT]
         first = {token.start[0]: token for token in reversed(words)}
-        texts = {node.lineno: node for node in ast.walk(self.tree) if isinstance(node, ast.Expr) and _is_text(node.value)}
+        texts = {node.lineno: node for node in self.nodes[ast.Expr] if _is_text(node.value)}
         return len(words) - sum(first[line].type == tokenize.STRING for line in texts)
 
     def head(self) -> int:
@@ -82,13 +90,18 @@ class Source:
         return min((one.lineno - 1 for node in found[:1] for one in (node, *node.decorator_list)), default=0)
 
 
+def sources(root: Path) -> list[Source]:
+    """All files below a folder."""
+    paths = (path for path in sorted(root.rglob("*.py")) if "__pycache__" not in path.parts)
+    return [Source(path, _module(root, path), path.read_text("utf-8")) for path in paths]
+
+
 def figures(root: Path) -> dict[str, Any]:
     """Every figure by name; paths and functions where a largest one is counted."""
-    paths = (path for path in sorted(root.rglob("*.py")) if "__pycache__" not in path.parts)
-    files = [Source(path, _module(root, path), path.read_text("utf-8")) for path in paths]
+    files = sources(root)
     kernels = [file for file in files if file.package == "kernels"]
     lines = sum(file.lines for file in files)
-    arguments = sorted(_arguments(files), reverse=True)
+    arguments, privates = sorted(_arguments(files), reverse=True), _privates(files)
     tokens: Counter[str] = Counter()
     for file in files:
         tokens[file.package] += file.code()
@@ -98,14 +111,14 @@ def figures(root: Path) -> dict[str, Any]:
         "lines of a file, median": statistics.median(file.lines for file in files),
         "lines of the longest file": max(file.lines for file in files),
         "lines before the first definition, %": round(100 * sum(file.head() for file in files) / lines, 1),
-        "import circles": [" ".join(circle) for circle in _circles(_imports(files))],
-        "import circles with imports for types": [" ".join(circle) for circle in _circles(_imports(files, types=True))],
+        "import circles": [" ".join(circle) for circle in circles(imports(files))],
+        "import circles with imports for types": [" ".join(circle) for circle in circles(imports(files, types=True))],
         "pairs of rooms that import each other": len(_pairs(files)),
-        "private functions": len(_privates(files)),
-        "private functions with one caller": sum(count == 1 for count in _privates(files).values()),
+        "private functions": len(privates),
+        "private functions with one caller": sum(count == 1 for count in privates.values()),
         "most arguments outside builders": "{} in {}".format(*arguments[0]),
         "functions with 9 arguments or more": sum(count > 8 for count, _ in arguments),
-        "private imports across packages": sum(_is_private(file, one) for file in files for one in _asked(file, types=True)),
+        "private imports across packages": private_imports(files),
         "exported names": len(_exported(files)),
         "comments per 100 lines": round(100 * sum(file.comments(pragmas=False) for file in files) / lines, 2),
         "pragmas": sum(file.comments(pragmas=True) for file in files),
@@ -126,10 +139,9 @@ def _module(root: Path, file: Path) -> str:
 
 def _arguments(files: list[Source]) -> Iterator[tuple[int, str]]:
     for file in files:
-        for node in ast.walk(file.tree) if file.package not in BUILDERS else ():
-            if isinstance(node, ast.FunctionDef):
-                every = (*node.args.posonlyargs, *node.args.args, *node.args.kwonlyargs)
-                yield sum(one.arg not in ("self", "cls") for one in every), f"{file.module}:{node.name}"
+        for node in file.nodes[ast.FunctionDef] if file.package not in BUILDERS else ():
+            every = (*node.args.posonlyargs, *node.args.args, *node.args.kwonlyargs)
+            yield sum(one.arg not in ("self", "cls") for one in every), f"{file.module}:{node.name}"
 
 
 def _privates(files: list[Source]) -> Counter[str]:
@@ -138,23 +150,22 @@ def _privates(files: list[Source]) -> Counter[str]:
     for file in files:
         own = {node.name for node in file.tree.body if isinstance(node, ast.FunctionDef) and node.name.startswith("_")}
         found.update({f"{file.module}.{name}": 0 for name in own})
-        used = (node.id for node in ast.walk(file.tree) if isinstance(node, ast.Name) and node.id in own)
+        used = (node.id for node in file.nodes[ast.Name] if node.id in own)
         found.update(f"{file.module}.{name}" for name in used)
     for file in files:
-        for node in ast.walk(file.tree):
-            if isinstance(node, ast.ImportFrom):
-                found.update(place for one in node.names if (place := f"{node.module}.{one.name}") in found)
+        for node in file.nodes[ast.ImportFrom]:
+            found.update(place for one in node.names if (place := f"{node.module}.{one.name}") in found)
     return found
 
 
 def _asked(file: Source, types: bool) -> Iterator[tuple[str, str]]:
     """Module and name of every import of the house, those within functions too. A face's imports are never done: its names
     are imported at first use."""
-    blocks = (node for node in ast.walk(file.tree) if isinstance(node, ast.If) and _for_types(node))
+    blocks = (node for node in file.nodes[ast.If] if _for_types(node))
     left_out = not types or file.path.name == "__init__.py"
     skipped = {id(node) for block in blocks for node in ast.walk(block)} if left_out else set()
-    for node in ast.walk(file.tree):
-        if isinstance(node, ast.ImportFrom) and (node.module or "").split(".")[0] == "kinetruss" and id(node) not in skipped:
+    for node in file.nodes[ast.ImportFrom]:
+        if (node.module or "").split(".")[0] == "kinetruss" and id(node) not in skipped:
             yield from ((str(node.module), one.name) for one in node.names)
 
 
@@ -169,7 +180,12 @@ def _is_private(file: Source, asked: tuple[str, str]) -> bool:
     return hidden and package not in (file.package, "kernels")
 
 
-def _imports(files: list[Source], types: bool = False) -> dict[str, set[str]]:
+def private_imports(files: list[Source]) -> int:
+    """How often files ask other packages for what these keep to themselves."""
+    return sum(_is_private(file, one) for file in files for one in _asked(file, types=True))
+
+
+def imports(files: list[Source], types: bool = False) -> dict[str, set[str]]:
     """Modules that each module names in its imports."""
     modules = {file.module for file in files}
     return {
@@ -183,12 +199,12 @@ def _pairs(files: list[Source]) -> set[frozenset[str]]:
     """Folders whose files import each other."""
     rooms = {file.module: file.room for file in files}
     edges: defaultdict[str, set[str]] = defaultdict(set)
-    for module, wanted in _imports([file for file in files if file.path.name != "__init__.py"]).items():
+    for module, wanted in imports([file for file in files if file.path.name != "__init__.py"]).items():
         edges[rooms[module]] |= {rooms[one] for one in wanted} - {rooms[module]}
     return {frozenset((room, other)) for room in edges for other in edges[room] if room in edges.get(other, ())}
 
 
-def _circles(graph: dict[str, set[str]]) -> list[list[str]]:
+def circles(graph: dict[str, set[str]]) -> list[list[str]]:
     """Strongly connected components of more than one module (Tarjan, 1972)."""
     index: dict[str, int] = {}
     low: dict[str, int] = {}

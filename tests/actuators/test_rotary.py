@@ -196,6 +196,7 @@ def both():
 
 
 @pytest.mark.slow
+@pytest.mark.usefixtures("undrawn")
 def test_members_and_angles_stand_side_by_side_in_a_run():
     run = kt.run(both())
     demand = run.demand["pushed"]

@@ -181,11 +181,6 @@ def test_a_force_that_follows_has_another_stiffness_than_one_that_does_not(follo
     assert abs(lin.angular_frequency.item() ** 2 - wanted) < 1e-11
 
 
-def test_files(tmp_path):
-    model = loaded_box()
-    assert kt.read(kt.write(model, tmp_path / "m.yaml")) == model
-
-
 @pytest.mark.parametrize(
     ("load", "message"),
     [

@@ -13,9 +13,7 @@ from typing import Any
 import pytest
 from playwright.sync_api import Browser, Page, sync_playwright
 
-from kinetruss import runs
-from kinetruss.runs import RunResult
-from samples import fourbar, tripod
+from served import Served, start
 
 CHROMIUM = shutil.which("chromium") or shutil.which("chromium-browser")
 FLAGS = ("--no-sandbox", "--use-gl=angle", "--use-angle=swiftshader", "--enable-unsafe-swiftshader", "--disable-gpu-sandbox")
@@ -109,13 +107,10 @@ def show(browser: Browser) -> Iterator[Any]:
         context.close()
 
 
-@pytest.fixture(scope="session")
-def turn() -> RunResult:
-    """A planar run."""
-    return runs.run(fourbar(), "turn")
-
-
-@pytest.fixture(scope="session")
-def lift() -> RunResult:
-    """A run in space with active members, two load cases."""
-    return runs.run(tripod(), "lift")
+@pytest.fixture
+def served(tmp_path) -> Iterator[Served]:
+    """A studio with an empty drawing."""
+    one = start(tmp_path)
+    yield one
+    one.process.kill()
+    one.process.communicate()

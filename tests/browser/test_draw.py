@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Sequence
 from itertools import pairwise
 from pathlib import Path
 
@@ -13,7 +13,7 @@ import kinetruss as kt
 from hand import drawn
 from kinetruss import dynamics, kinematics
 from kinetruss.library import cells
-from served import WAIT, Served, start
+from served import WAIT, start
 
 pytestmark = pytest.mark.slow
 
@@ -33,14 +33,6 @@ JANSEN = {
 }
 FRAME = (-38.0, -7.8)
 BARS = {"m": "OM", "j": "MT", "b": "PT", "e": "TL", "d": "PL", "k": "MK", "c": "PK", "f": "LA", "g": "KA", "h": "AF", "i": "KF"}
-
-
-@pytest.fixture
-def served(tmp_path) -> Iterator[Served]:
-    one = start(tmp_path)
-    yield one
-    one.process.kill()
-    one.process.communicate()
 
 
 def forces_of(model: kt.Model, x: np.ndarray) -> dict[frozenset, float]:

@@ -2,24 +2,14 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
 from itertools import combinations
 
 import pytest
 
 import kinetruss as kt
 from hand import Hand, drawn
-from served import Served, start
 
 pytestmark = pytest.mark.slow
-
-
-@pytest.fixture
-def served(tmp_path) -> Iterator[Served]:
-    one = start(tmp_path)
-    yield one
-    one.process.kill()
-    one.process.communicate()
 
 
 def banner(hand: Hand) -> str:

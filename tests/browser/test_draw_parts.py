@@ -12,19 +12,11 @@ import pytest
 import kinetruss as kt
 from hand import drawn
 from kinetruss import dynamics, kinematics, runs, statics
-from served import Served, start
+from served import start
 
 pytestmark = pytest.mark.slow
 
 PLACES = {"A": (0.0, 0.0), "B": (1.0, 0.0), "C": (0.0, -0.8), "D": (1.4, 0.4), "E": (1.8, 0.0)}
-
-
-@pytest.fixture
-def served(tmp_path) -> Iterator[Served]:
-    one = start(tmp_path)
-    yield one
-    one.process.kill()
-    one.process.communicate()
 
 
 def the_same_in_python(clamped: list[str]) -> kt.Model:

@@ -2,15 +2,13 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
-
 import numpy as np
 import pytest
 
 from hand import Hand, drawn
 from kinetruss import viewer
 from samples import fourbar
-from served import Served, serve, start
+from served import serve
 
 pytestmark = pytest.mark.slow
 
@@ -32,14 +30,6 @@ window.WebSocket = class extends Real {
 """Answers of the studio are held back from `holding = true` on, until `letGo()`."""
 LATE = 300
 """ms after an edit at which the page must say that it is computed."""
-
-
-@pytest.fixture
-def served(tmp_path) -> Iterator[Served]:
-    one = start(tmp_path)
-    yield one
-    one.process.kill()
-    one.process.communicate()
 
 
 def four_bar(hand: Hand) -> None:

@@ -12,7 +12,7 @@ from kinetruss import runs
 from kinetruss.cli import main
 from kinetruss.report.document import writing as _print
 from kinetruss.results.folder import REPORT
-from samples import fourbar, tripod
+from samples import fourbar
 
 
 def call(*arguments: object) -> Result:
@@ -35,6 +35,7 @@ def opened(monkeypatch: pytest.MonkeyPatch) -> list[str]:
 
 
 @pytest.mark.slow
+@pytest.mark.usefixtures("undrawn")
 def test_a_report_holds_the_view_and_is_named(turn, tmp_path, opened):
     done = call("report", turn, "-o", tmp_path / "out", "--no-open", "--no-pdf")
     page = tmp_path / "out" / "report.html"
@@ -52,6 +53,7 @@ def test_a_report_holds_the_view_and_is_named(turn, tmp_path, opened):
 
 
 @pytest.mark.slow
+@pytest.mark.usefixtures("undrawn")
 def test_without_a_folder_it_goes_into_the_run_and_opens(turn, opened):
     done = call("report", turn, "--no-pdf", "--no-view", "--json")
     record = json.loads(done.stdout)
@@ -63,6 +65,7 @@ def test_without_a_folder_it_goes_into_the_run_and_opens(turn, opened):
 
 
 @pytest.mark.slow
+@pytest.mark.usefixtures("undrawn")
 def test_without_chromium_it_says_why_there_is_no_paper(turn, tmp_path, monkeypatch):
     monkeypatch.setattr(_print, "chromium", lambda: None)
     done = call("report", turn, "-o", tmp_path, "--no-view", "--no-open")
@@ -72,26 +75,12 @@ def test_without_chromium_it_says_why_there_is_no_paper(turn, tmp_path, monkeypa
 
 
 @pytest.mark.slow
+@pytest.mark.usefixtures("undrawn")
 def test_where_no_browser_starts_it_says_so(turn, tmp_path, monkeypatch):
     monkeypatch.setattr(webbrowser, "open", lambda _: False)
     done = call("report", turn, "-o", tmp_path, "--no-view", "--no-pdf")
     assert done.exit_code == 0
     assert "No browser could be started" in done.stderr
-
-
-@pytest.mark.slow
-def test_a_run_that_is_not_whole_is_said_to_be(tmp_path):
-    def stop(done: int, total: int) -> None:
-        raise KeyboardInterrupt
-
-    with pytest.raises(KeyboardInterrupt):
-        runs.run(tripod(), out=tmp_path / "half", block=10, progress=stop)
-    done = call("report", tmp_path / "half", "--no-view", "--no-pdf", "--no-open")
-    assert done.exit_code == 0
-    assert "not complete: 10 of 41 samples are good" in done.stderr
-    assert "This run is not complete." in (tmp_path / "half" / "report" / "report.html").read_text()
-    record = json.loads(call("report", tmp_path / "half", "--no-view", "--no-pdf", "--no-open", "--json").stdout)
-    assert record["whole"] is False
 
 
 def test_what_is_no_run_is_refused(tmp_path):

@@ -270,6 +270,7 @@ def test_forces_in_a_rotating_base_have_no_deflection():
 
 
 @pytest.mark.slow
+@pytest.mark.usefixtures("undrawn")
 def test_a_stored_run_keeps_the_rotation_and_its_pages_show_it(tmp_path):
     """Section forces from the folder, those of the viewer's arrays, and the table of inputs."""
     model = tripod(

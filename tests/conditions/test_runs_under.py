@@ -91,6 +91,7 @@ def test_a_simulation_lets_go_what_is_released(crane):
 
 
 @pytest.mark.slow
+@pytest.mark.usefixtures("undrawn")
 def test_a_stored_run_keeps_the_model_given_and_has_the_results_of_the_changed_one(crane, tmp_path):
     run = kt.run(crane, "hot", tmp_path / "hot", block=8)
     again = kt.runs.load(tmp_path / "hot")

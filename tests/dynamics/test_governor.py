@@ -33,6 +33,10 @@ def test_a_stiff_governor_is_stepped_through_as_long_as_the_steps_allowed_do(met
     run = kt.dynamics.simulate(governor(4e4), 1.0, samples=51, method=method)
     assert run.status is Status.COMPLETED
     np.testing.assert_allclose(seen(run), reference(run.time.values, 4e4, AXIAL), atol=error)
+
+
+@pytest.mark.slow
+def test_too_few_steps_for_a_stiff_governor_are_told_with_the_methods_for_it():
     few = kt.dynamics.simulate(governor(4e4), 10.0, method=kt.DOP853(max_steps=20_000), raise_on_failure=False)
     assert few.status is Status.STIFF
     assert "Radau()" in few.message and "EnergyMomentum" in few.message

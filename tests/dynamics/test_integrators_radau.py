@@ -219,17 +219,6 @@ def test_a_cable_that_tightens():
 
 
 @pytest.mark.slow
-def test_files_hold_it(tmp_path):
-    run = kt.Run(analysis="dynamics.simulate", t_end=1, method=Radau(rtol=1e-6, atol=1e-5, max_steps=1000))
-    model = mechanisms.pendulum().with_(runs={"fall": run})
-    path = kt.write(model, tmp_path / "m.yaml")
-    assert kt.read(path) == model
-    assert "radau" in path.read_text()
-    found = kt.run(kt.read(path), "fall")
-    assert found.simulation.data.attrs["method"] == "radau"
-
-
-@pytest.mark.slow
 def test_what_is_refused_is_refused_before_any_work():
     with pytest.raises(InputError, match="Take the method DOP853 without a step"):
         kt.dynamics.simulate(

@@ -24,13 +24,11 @@ from kinetruss.model import (
     ExponentialInput,
     Gear,
     GivenForce,
-    Hold,
     LeadScrew,
     Model,
     Node,
     Part,
     PositionLoop,
-    Quintic,
     SineInput,
     StepInput,
     TableInput,
@@ -170,84 +168,6 @@ def test_a_start_that_moves():
     assert np.abs(run.data.motor_energy_balance).max() < 1e-11
 
 
-@pytest.fixture(scope="module")
-def moved():
-    """Three loops of a bay bring it to a pose."""
-    targets = {"M7": 1.160, "M9": 1.175, "M11": 1.172}
-    tasks = {name: PositionLoop(target=target, settling_time=0.4) for name, target in targets.items()}
-    return targets, dynamics.simulate(bay(), 1.0, samples=101, tasks=tasks)
-
-
-@pytest.mark.slow
-def test_loops_bring_a_bay_to_a_pose(moved):
-    targets, run = moved
-    start = run.motion.length.sel(member=list(targets)).values[0]
-    found, wanted = run.motion.length.sel(member=list(targets)).values[-1], np.array(list(targets.values()))
-    # Coulomb friction leaves an error: there is no integral part
-    assert np.abs(found - wanted).max() < 0.1 * np.abs(wanted - start).max()
-    assert not run.data.motor_direction.values[-1].any()
-    assert run.status is Status.COMPLETED
-
-
-@pytest.mark.slow
-def test_inverse_dynamics_and_the_demand_give_the_inputs_back(moved):
-    targets, run = moved
-    names = list(targets)
-    forces = dynamics.inverse(bay(), run.motion, static=False)
-    assert_allclose(run.forces.member_force, forces.member_force, rtol=0, atol=1e-9 * np.abs(forces.member_force).max())
-    demand = actuators.evaluate(bay(), run.motion, forces).data
-    moving = np.abs(run.motion.length_rate.sel(member=names).values) > 1e-8
-    for name in ("current", "voltage"):
-        given = run.data[f"motor_{name}"].values
-        assert_allclose(demand[name].values[moving], given[moving], rtol=0, atol=1e-8 * np.abs(given).max())
-
-
-@pytest.mark.slow
-def test_energy_of_motors_and_of_the_structure(moved):
-    _, run = moved
-    assert np.abs(run.data.motor_energy_balance).max() < 1e-8 * run.data.electrical_energy.max()
-    work = run.data.actuator_work.sum("motor").values
-    for load in bay().loads.values():
-        at = run.motion.position.sel(node=load.node).values
-        work = work + (at - at[0]) @ np.array(load.force)
-    energy = run.data.energy.values
-    assert_allclose(energy - energy[0], work, rtol=0, atol=1e-8 * np.ptp(energy))
-
-
-@pytest.mark.slow
-def test_a_motor_beside_held_and_moving_drives():
-    move = Quintic(moves={"M9": (1.1684, 1.17)}, duration=0.3)
-    tasks = {"M7": StepInput(voltage=8.0), "M9": move, "M11": Hold()}
-    run = dynamics.simulate(bay(), 0.3, samples=31, tasks=tasks)
-    lengths = run.motion.length
-    assert_allclose(lengths.sel(member="M11"), 1.1684, atol=1e-13)
-    assert_allclose(lengths.sel(member="M9").values[-1], 1.17, atol=1e-12)
-    assert list(run.data.motor.values) == ["M7"]
-    demand = actuators.evaluate(bay(), run.motion, dynamics.inverse(bay(), run.motion, static=False)).data
-    given, moving = run.data.motor_voltage.values[:, 0], np.abs(run.motion.length_rate.sel(member="M7").values) > 1e-8
-    assert_allclose(demand["voltage"].sel(active="M7").values[moving], given[moving], atol=1e-8 * np.abs(given).max())
-
-
-@pytest.mark.slow
-def test_a_resumed_run_is_the_unbroken_one_bit_for_bit():
-    tasks = {"M7": PositionLoop(target=1.16, settling_time=0.3), "M9": SineInput(voltage=12.0, period=0.1)}
-    times = np.linspace(0.0, 0.15, 41)
-
-    def fresh():
-        return stepper_for(problem_of(bay(), 0.15, Options(tasks=tasks)), 0.15)
-
-    whole = fresh().advance(times)
-    first = fresh()
-    head = first.advance(times[:17])
-    kept = {name: np.array(values) for name, values in first.arrays().items()}
-    second = fresh()
-    second.restore(kept)
-    tail = second.advance(times[17:])
-    for name in ("x", "v", "a", "N", "extra", "diagnostics"):
-        joined = np.concatenate([getattr(head, name), getattr(tail, name)])
-        assert np.array_equal(joined, getattr(whole, name)), name
-
-
 @pytest.mark.slow
 @pytest.mark.parametrize("again", [False, True])
 @pytest.mark.parametrize("rest", [1, 3])
@@ -316,20 +236,6 @@ def test_beyond_the_largest_speed_is_told():
     weak = STEEP.with_(motor=STEEP.motor.with_(max_speed=20.0, max_current=0.5))
     run = dynamics.simulate(line(weak, 600.0), 0.1, samples=11, tasks={"M": StepInput(voltage=0.0)})
     assert "beyond its largest speed (20 rad/s)" in run.message
-
-
-@pytest.mark.slow
-@pytest.mark.parametrize("solver", ["dense", "sweep", "sparse"])
-def test_three_bays_with_nine_motors_by_every_solver(solver):
-    chain = vgt.double_octahedral(bays=3, screw=drives.SCREW_LACY_SPATIAL, gear=drives.GEAR_LACY, motor=drives.MOTOR_LACY)
-    names = list(chain.all_drives)
-    tasks = {name: StepInput(voltage=8.0 * (-1) ** k, end=0.02) for k, name in enumerate(names)}
-    run = dynamics.simulate(chain, 0.04, samples=11, tasks=tasks, method=DOP853(solver=solver))
-    demand = actuators.evaluate(chain, run.motion, dynamics.inverse(chain, run.motion, static=False)).data
-    moving = np.abs(run.motion.length_rate.sel(member=names).values) > 1e-7
-    assert moving[5].all()
-    off = np.abs(demand["voltage"].sel(active=names).values - run.data.motor_voltage.values)[moving]
-    assert off.max() < 1e-8 * 8.0
 
 
 @pytest.mark.slow

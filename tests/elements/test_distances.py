@@ -99,10 +99,3 @@ def test_faults_come_before_the_run():
         held(fixed=["A", "B", "C"], springs={"s": kt.Spring(coordinate=APART, stiffness=1.0)})
     with pytest.raises(kt.ModelError, match="unit of an angle"):
         kt.Spring(coordinate=APART, stiffness="3 N m/rad")
-
-
-def test_files_read_as_they_are_written(tmp_path):
-    model = by_spring()
-    kt.io.write(model, tmp_path / "model.yaml")
-    assert "{kind: distance, nodes: [B, C]}" in (tmp_path / "model.yaml").read_text("utf-8")
-    assert kt.io.read(tmp_path / "model.yaml") == model

@@ -68,13 +68,36 @@ def package(tmp_path_factory):
     return folder
 
 
-def answers(folder, *code):
-    environment = os.environ | {"PYTHONPATH": str(folder), "NO_COLOR": "1"}
-    found = subprocess.run(
-        [sys.executable, "-c", "\n".join(code)], cwd=folder, env=environment, capture_output=True, text=True, check=False
-    )
-    assert found.returncode == 0, found.stderr
-    return found.stdout
+CHILD = """
+import contextlib, io, json, sys, traceback
+for line in sys.stdin:
+    said, wrong = io.StringIO(), ""
+    try:
+        with contextlib.redirect_stdout(said):
+            exec(json.loads(line), {"__name__": "__main__"})
+    except SystemExit as end:
+        wrong = f"ended with {end.code}" if end.code else ""
+    except Exception:
+        wrong = traceback.format_exc()
+    print(json.dumps([said.getvalue(), wrong]), flush=True)
+"""
+
+
+@pytest.fixture(scope="module")
+def answers(package):
+    """What some lines of code print in a process that has the copy."""
+    environment = os.environ | {"PYTHONPATH": str(package), "NO_COLOR": "1"}
+    pipes = {"stdin": subprocess.PIPE, "stdout": subprocess.PIPE, "text": True, "cwd": package, "env": environment}
+    with subprocess.Popen([sys.executable, "-c", CHILD], **pipes) as child:
+
+        def answer(*code):
+            child.stdin.write(json.dumps("\n".join(code)) + "\n")
+            child.stdin.flush()
+            said, wrong = json.loads(child.stdout.readline())
+            assert not wrong, wrong
+            return said
+
+        yield answer
 
 
 FALL = """
@@ -94,20 +117,20 @@ ball = kt.Model(
     ("method", "within"),
     [("DOP853()", 1e-9), ("Radau()", 1e-6), ("EnergyMomentum(1e-3)", 1e-5), ("GeneralizedAlpha(1e-3)", 1e-5)],
 )
-def test_a_ball_falls_as_the_closed_form_says(package, method, within):
+def test_a_ball_falls_as_the_closed_form_says(answers, method, within):
     """v = u tanh(g t/u), u^2 = m g/c, and z = u^2/g ln cosh(g t/u)."""
     code = f"""
 run = kt.dynamics.simulate(ball, t_end=2.0, samples=21, method=kt.{method})
 data = run.motion.data.sel(node="ball", axis="y")
 print(json.dumps([float(data.velocity[-1]), float(data.position[-1])]))
 """
-    speed, place = json.loads(answers(package, FALL, code))
+    speed, place = json.loads(answers(FALL, code))
     u = np.sqrt(2.0 * 9.81 / C)
     assert speed == pytest.approx(-u * np.tanh(9.81 * 2.0 / u), rel=within)
     assert place - 10.0 == pytest.approx(-(u**2) / 9.81 * np.log(np.cosh(9.81 * 2.0 / u)), rel=within)
 
 
-def test_results_have_its_columns_along_a_motion_and_at_rest(package):
+def test_results_have_its_columns_along_a_motion_and_at_rest(answers):
     code = """
 run = kt.dynamics.simulate(ball, t_end=1.0, samples=11)
 forces = kt.dynamics.inverse(ball, run.motion)
@@ -118,7 +141,7 @@ still = kt.runs.forces_at_rest(ball.with_(fixed=["A", "B", "ball"])).data.drag_f
 print(json.dumps([list(column.dims), column.attrs, list(map(str, column["drag"].values)),
                   float(abs(column.sel(drag="air").values - said).max()), float(abs(still).max())]))
 """
-    dims, attrs, names, apart, still = json.loads(answers(package, FALL, code))
+    dims, attrs, names, apart, still = json.loads(answers(FALL, code))
     assert dims == ["time", "drag", "axis"]
     assert attrs == {"units": "N", "long_name": "resistance on the node"}
     assert names == ["air"]
@@ -141,7 +164,7 @@ spring = two.with_(drags={}, springs={
 """
 
 
-def test_statics_count_on_its_stiffness_as_on_that_of_springs(package):
+def test_statics_count_on_its_stiffness_as_on_that_of_springs(answers):
     code = """
 one, two_ = (kt.statics.linear(model) for model in (two, spring))
 three, four = (kt.statics.deflection(model, kt.runs.forces_at_rest(model)) for model in (two, spring))
@@ -149,7 +172,7 @@ print(json.dumps([one.displacement.values.tolist(), two_.displacement.values.tol
                   two_.reaction.values.tolist(), float(one.energy), float(two_.energy), float(one.work),
                   three.displacement.values.tolist(), four.displacement.values.tolist(), three.energy.values.tolist()]))
 """
-    u, v, left, right, stored, same, work, bent, like, held = json.loads(answers(package, BEDDED, code))
+    u, v, left, right, stored, same, work, bent, like, held = json.loads(answers(BEDDED, code))
     np.testing.assert_allclose(u, v, rtol=1e-9, atol=1e-16)
     np.testing.assert_allclose(left, right, rtol=1e-9, atol=1e-9)
     assert stored == pytest.approx(same, rel=1e-9)
@@ -159,7 +182,7 @@ print(json.dumps([one.displacement.values.tolist(), two_.displacement.values.tol
     assert held[0] == pytest.approx(work, rel=1e-9)
 
 
-def test_free_bodies_have_its_force(package):
+def test_free_bodies_have_its_force(answers):
     code = """
 model = ball.with_(drags={"air": Drag(node="ball", area=0.5, coefficient=0.8, bedding=7.0)})
 run = kt.dynamics.simulate(model, 1.0, samples=3)
@@ -167,13 +190,13 @@ node = kt.dynamics.free_body(model, run.motion, run.forces, node="ball", time=1.
 equations = kt.dynamics.newton_euler(model, run.motion, run.forces, time=1.0)
 print(json.dumps([node.residual, equations.residual, [t.source for b in node.bodies for t in b.terms if t.symbol == "E"]]))
 """
-    node, whole, sources = json.loads(answers(package, FALL, code))
+    node, whole, sources = json.loads(answers(FALL, code))
     assert node < 1e-9
     assert whole < 1e-9
     assert sources == ["drag"]
 
 
-def test_small_motions_are_damped_by_it(package):
+def test_small_motions_are_damped_by_it(answers):
     """-d/dv of -c |v| v along v: 2 c |v|."""
     code = """
 from kinetruss.mechanics import compile
@@ -185,12 +208,12 @@ none = np.zeros(len(system.members))
 K, C = tangents(system, system.x0, none, none, np.zeros(3), v)
 print(json.dumps([C[1, 1], C[0, 0]]))
 """
-    along, across = json.loads(answers(package, FALL, code))
+    along, across = json.loads(answers(FALL, code))
     assert along == pytest.approx(2 * C * 3.0)
     assert across == pytest.approx(C * 3.0)
 
 
-def test_its_table_has_derivatives_by_its_numbers(package):
+def test_its_table_has_derivatives_by_its_numbers(answers):
     code = """
 from kinetruss.mechanics import compile
 from kinetruss.mechanics.numbers import numbers_of, tables_at
@@ -199,26 +222,26 @@ area = numbers_of(system)["drag area"]
 numbers = tables_at(system, {"drag area": area + 1e-30j})["drag numbers"]
 print(json.dumps(float(numbers.imag[0, 0] / 1e-30)))
 """
-    assert json.loads(answers(package, FALL, code)) == pytest.approx(C / 0.5)
+    assert json.loads(answers(FALL, code)) == pytest.approx(C / 0.5)
 
 
-def test_power_series_are_refused_by_name(package):
+def test_power_series_are_refused_by_name(answers):
     code = """
 try:
     kt.dynamics.simulate(ball, t_end=1.0, method={"kind": "taylor"})
 except kt.errors.KinetrussError as why:
     print(why)
 """
-    assert "the drag 'air' has a law without one" in answers(package, FALL, code)
+    assert "the drag 'air' has a law without one" in answers(FALL, code)
 
 
-def test_a_file_has_it_and_pages_show_it(package):
+def test_a_file_has_it_and_pages_show_it(package, answers):
     (package / "ball.yaml").write_text(MODEL, "utf-8")
     run = "import sys; from kinetruss.cli.start import start; sys.argv = ['kinetruss', *{!r}]; start()"
-    said = answers(package, run.format(["run", "ball.yaml", "-o", "out"]))
+    said = answers(run.format(["run", "ball.yaml", "-o", "out"]))
     assert "Drag (largest values of the motion)" in said
     assert "resistance on the node" in said
-    assert "drags: air, fluid" in answers(package, run.format(["info", "ball.yaml"]))
+    assert "drags: air, fluid" in answers(run.format(["info", "ball.yaml"]))
 
 
 BOUNCE = """
@@ -238,20 +261,20 @@ METHODS = [(TIGHT, 1e-8), ("Radau()", 1e-6), ("EnergyMomentum(1e-4)", 1e-5), ("G
 
 
 @pytest.mark.parametrize(("method", "within"), METHODS)
-def test_a_linear_bounce_lasts_half_a_period_and_is_told(package, method, within):
+def test_a_linear_bounce_lasts_half_a_period_and_is_told(answers, method, within):
     code = f"""
 run = kt.dynamics.simulate(ball(), 0.5, samples=3, method=kt.{method})
 speeds = run.motion.velocity.sel(node="ball", axis="z").values.tolist()
 print(json.dumps([[[e.name, e.time, e.direction] for e in run.events], speeds]))
 """
-    ((first, begin, way), (second, end, back)), speeds = json.loads(answers(package, BOUNCE, code))
+    ((first, begin, way), (second, end, back)), speeds = json.loads(answers(BOUNCE, code))
     assert (first, way, second, back) == ("floor.contact", -1, "floor.contact", 1)
     assert begin == pytest.approx(0.2, abs=1e-6)
     assert end - begin == pytest.approx(np.pi * np.sqrt(2.0 / 800.0), abs=10 * within)
     assert speeds[-1] == pytest.approx(3.0, rel=within)
 
 
-def test_restitution_is_that_of_hunt_and_crossley_and_friction_slows(package):
+def test_restitution_is_that_of_hunt_and_crossley_and_friction_slows(answers):
     """c (v + w) = ln((1 + c v)/(1 - c w)), whatever n; a ball that slides under its weight loses mu g t of its speed."""
     code = """
 tight = kt.DOP853(rtol=1e-12, atol=1e-13)
@@ -264,7 +287,7 @@ print(json.dumps([float(run.motion.velocity.sel(node="ball", axis="z")[-1]),
     float(abs(kt.dynamics.inverse(slide, slid.motion).energy_balance).max()), float(floor.contact_gap[-1, 0]),
     floor.contact_gap.attrs, float(slid.motion.velocity.sel(node="ball", axis="z")[-1])]))
 """
-    after, slid, impulse, balance, gap, attrs, falling = json.loads(answers(package, BOUNCE, code))
+    after, slid, impulse, balance, gap, attrs, falling = json.loads(answers(BOUNCE, code))
     assert 0.3 * (3.0 + after) == pytest.approx(np.log((1 + 0.3 * 3.0) / (1 - 0.3 * after)), rel=1e-7)
     assert impulse == pytest.approx(2.0 * (9.81 * 0.9 + falling), rel=1e-4)
     assert slid == pytest.approx(2.0 - 0.2 * impulse / 2.0, rel=1e-4)
@@ -273,7 +296,7 @@ print(json.dumps([float(run.motion.velocity.sel(node="ball", axis="z")[-1]),
     assert attrs == {"units": "m", "long_name": "from the sphere to the ground"}
 
 
-def test_it_rests_in_equilibrium_and_small_displacements_have_its_columns(package):
+def test_it_rests_in_equilibrium_and_small_displacements_have_its_columns(answers):
     code = """
 model = ball(gravity=(0, 0, -9.81), velocities={}).with_(fixed={"A": "xyz", "B": "xyz", "ball": "xy"})
 rest = kt.statics.equilibrium(model)
@@ -284,7 +307,7 @@ print(json.dumps([float(rest.data.position.sel(node="ball", axis="z")), float(re
     float(linear.displacement.sel(node="ball", axis="z")), float(found.contact_pressure[0]), float(found.contact_gap[0]),
     found.contact_force.values.tolist()]))
 """
-    z, pressure, moved, after, gap, force = json.loads(answers(package, BOUNCE, code))
+    z, pressure, moved, after, gap, force = json.loads(answers(BOUNCE, code))
     sunk = 2.0 * 9.81 / 800.0
     assert z == pytest.approx(0.1 - sunk, rel=1e-9)
     assert pressure == pytest.approx(2.0 * 9.81, rel=1e-9)
@@ -295,7 +318,7 @@ print(json.dumps([float(rest.data.position.sel(node="ball", axis="z")), float(re
     assert force[0] == pytest.approx([0.0, 0.0, 5.0], abs=1e-9)
 
 
-def test_rules_of_its_own_come_before_the_run(package):
+def test_rules_of_its_own_come_before_the_run(answers):
     code = """
 for bad in ({"radius": 0.9}, {"node": "bal"}, {"damping": -1.0}):
     try:
@@ -303,13 +326,13 @@ for bad in ({"radius": 0.9}, {"node": "bal"}, {"damping": -1.0}):
     except kt.ModelError as why:
         print(why)
 """
-    said = answers(package, BOUNCE, code)
+    said = answers(BOUNCE, code)
     assert "contacts.floor.radius: the sphere reaches down to -0.2 m, below the ground at 0 m. Raise the node" in said
     assert "contacts.floor.node: no node called 'bal'" in said
     assert "damping -1 is negative" in said
 
 
-def test_the_example_of_the_page_is_an_element(package):
+def test_the_example_of_the_page_is_an_element(answers):
     """Two masses that attract each other: speeds from their energy, momenta kept, force C/d^4."""
     code = """
 import json
@@ -333,7 +356,7 @@ kt.io.write(pair, "pair.yaml")
 assert kt.io.read("pair.yaml") == pair
 print(json.dumps(found))
 """
-    for (energy, momentum, force, balance), within in zip(json.loads(answers(package, code)), (1e-9, 1e-7, 1e-9), strict=True):
+    for (energy, momentum, force, balance), within in zip(json.loads(answers(code)), (1e-9, 1e-7, 1e-9), strict=True):
         assert energy < within
         assert momentum < 1e-10
         assert force < 1e-12

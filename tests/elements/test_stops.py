@@ -140,14 +140,6 @@ def test_faults_come_before_the_run():
         kt.dynamics.simulate(runner(), 1.0, method=kt.Taylor())
 
 
-def test_files_read_as_they_are_written(tmp_path):
-    model = runner(upper="600 mm", stiffness="0.8 kN/m", damping=0.1, exponent=1.5)
-    kt.io.write(model, tmp_path / "model.yaml")
-    again = kt.io.read(tmp_path / "model.yaml")
-    assert again == model
-    assert again.stops["wall"].stiffness == 800.0
-
-
 def test_a_stop_on_a_sum_tells_of_contact():
     """Along a wall that leans: 0.6 x + 0.8 y reaches the gap where the path crosses the line."""
     terms = ((REACH, 0.6), (kt.CoordinateDrive(node="P", axis="y"), 0.8))

@@ -7,6 +7,7 @@ import os
 import shutil
 import subprocess
 import sys
+from collections.abc import Callable, Iterator
 from pathlib import Path
 
 import numba
@@ -43,12 +44,42 @@ def besides_compiling(error):
     return "".join(line for line in error.splitlines(True) if not line.startswith("kinetruss: compil"))
 
 
-def start(*places: Path, state: str = "s" * 16, before: tuple[str, ...] = ()) -> dict[str, object]:
-    """What a process that compiles three forms of one kernel says."""
-    command = [*before, sys.executable, "-c", ADD, state, *map(str, places)]
-    done = subprocess.run(command, capture_output=True, text=True, check=False)
-    assert (done.returncode, besides_compiling(done.stderr)) == (0, "")
-    return json.loads(done.stdout)
+SERVER = """
+import json, os, sys, traceback
+import numba
+numba.njit(lambda a: a)(1)
+code = json.loads(sys.stdin.readline())
+for line in sys.stdin:
+    sys.argv[1:] = json.loads(line)
+    if (child := os.fork()) == 0:
+        try:
+            exec(code, {"__name__": "__main__"})
+        except BaseException:
+            print(json.dumps(traceback.format_exc()))
+        sys.stdout.flush()
+        os._exit(0)
+    os.waitpid(child, 0)
+"""
+
+
+@pytest.fixture(scope="module")
+def start() -> Iterator[Callable[..., dict[str, object]]]:
+    """What a process that compiles three forms of one kernel says: a copy of one with Numba, or one that `before` starts."""
+    pipes = {"stdin": subprocess.PIPE, "stdout": subprocess.PIPE, "text": True}
+    with subprocess.Popen([sys.executable, "-c", SERVER], **pipes) as server:
+        server.stdin.write(json.dumps(ADD) + "\n")
+
+        def answer(*places: Path, state: str = "s" * 16, before: tuple[str, ...] = ()) -> dict[str, object]:
+            if before:
+                command = [*before, sys.executable, "-c", ADD, state, *map(str, places)]
+                done = subprocess.run(command, capture_output=True, text=True, check=False)
+                assert (done.returncode, besides_compiling(done.stderr)) == (0, "")
+                return json.loads(done.stdout)
+            server.stdin.write(json.dumps([state, *map(str, places)]) + "\n")
+            server.stdin.flush()
+            return json.loads(server.stdout.readline())
+
+        yield answer
 
 
 GOOD = {"right": True, "hits": FORMS, "told": []}
@@ -56,7 +87,7 @@ ANEW = GOOD | {"hits": 0}
 
 
 @pytest.fixture(scope="module")
-def filled(tmp_path_factory) -> Path:
+def filled(tmp_path_factory, start) -> Path:
     place = tmp_path_factory.mktemp("filled")
     assert start(place) == ANEW
     assert start(place) == GOOD
@@ -100,7 +131,7 @@ def broken(file: Path, how: str) -> None:
 
 @pytest.mark.slow
 @pytest.mark.parametrize("hows", [("empty", "short", "noise"), ("one bit", "another's", "gone"), ("unreadable",)], ids=str)
-def test_what_is_damaged_is_compiled_anew_and_replaced(filled, tmp_path, hows):
+def test_what_is_damaged_is_compiled_anew_and_replaced(filled, tmp_path, hows, start):
     place = tmp_path / "place"
     shutil.copytree(filled, place)
     for file, how in zip(files(place), hows, strict=False):
@@ -111,7 +142,7 @@ def test_what_is_damaged_is_compiled_anew_and_replaced(filled, tmp_path, hows):
 
 
 @pytest.mark.slow
-def test_a_name_that_cannot_be_replaced_is_told_once_and_costs_nothing_else(filled, tmp_path):
+def test_a_name_that_cannot_be_replaced_is_told_once_and_costs_nothing_else(filled, tmp_path, start):
     place = tmp_path / "place"
     shutil.copytree(filled, place)
     broken(files(place)[1], "a folder")
@@ -189,7 +220,7 @@ def test_imports_are_those_that_python_sees():
 
 
 @pytest.mark.slow
-def test_another_state_finds_nothing_and_sweeps_what_nobody_needs(filled, tmp_path):
+def test_another_state_finds_nothing_and_sweeps_what_nobody_needs(filled, tmp_path, start):
     place = tmp_path / "place"
     shutil.copytree(filled, place)
     old = files(place)
@@ -219,7 +250,7 @@ def test_a_folder_swept_by_another_state_meanwhile_is_made_again(tmp_path, monke
 
 
 @pytest.mark.slow
-def test_many_first_starts_at_once_disturb_nobody(tmp_path):
+def test_many_first_starts_at_once_disturb_nobody(tmp_path, start):
     command = [sys.executable, "-c", ADD, "s" * 16, str(tmp_path)]
     running = [subprocess.Popen(command, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True) for _ in range(4)]
     for one in running:
@@ -234,7 +265,7 @@ def test_many_first_starts_at_once_disturb_nobody(tmp_path):
 
 
 @pytest.mark.slow
-def test_kernels_of_a_folder_that_may_not_be_written_are_used(filled, tmp_path):
+def test_kernels_of_a_folder_that_may_not_be_written_are_used(filled, tmp_path, start):
     place = tmp_path / "place"
     shutil.copytree(filled, place)
     for item in [*place.rglob("*"), place]:
@@ -243,7 +274,7 @@ def test_kernels_of_a_folder_that_may_not_be_written_are_used(filled, tmp_path):
 
 
 @pytest.mark.slow
-def test_what_is_missing_there_goes_to_the_next_place(filled, tmp_path):
+def test_what_is_missing_there_goes_to_the_next_place(filled, tmp_path, start):
     image, own = tmp_path / "image", tmp_path / "own"
     shutil.copytree(filled, image)
     broken(files(image)[0], "gone")
@@ -257,7 +288,7 @@ def test_what_is_missing_there_goes_to_the_next_place(filled, tmp_path):
 
 
 @pytest.mark.slow
-def test_without_any_place_kernels_live_in_memory_and_that_is_said_once(tmp_path):
+def test_without_any_place_kernels_live_in_memory_and_that_is_said_once(tmp_path, start):
     place = tmp_path / "place"
     place.mkdir(mode=0o555)
     (tmp_path / "file").touch()

@@ -212,6 +212,7 @@ def whole():
             ),
             "long": kt.Run(analysis="dynamics.simulate", t_end=2, method=kt.EnergyMomentum("1 ms")),
             "steady": kt.Run(analysis="dynamics.simulate", t_end=2, method=kt.Rattle(1e-3, solver="sparse")),
+            "stiff": kt.Run(analysis="dynamics.simulate", t_end=2, method=kt.Radau(rtol=1e-6, atol=1e-5, max_steps=1000)),
         },
     )  # fmt: skip
 

@@ -59,9 +59,3 @@ def test_factors_of_angles_in_no_ratio():
     model = two_links().with_(springs={"s": kt.Spring(terms=terms, stiffness=1.0)})
     with pytest.raises(kt.InputError, match="no ratio of whole numbers"):
         kt.statics.equilibrium(model)
-
-
-@pytest.mark.parametrize("suffix", ["yaml", "json"])
-def test_written_and_read_again(tmp_path, suffix):
-    model = two_links()
-    assert kt.read(kt.write(model, tmp_path / f"m.{suffix}")) == model

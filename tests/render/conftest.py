@@ -7,10 +7,7 @@ from pathlib import Path
 
 import pytest
 
-from kinetruss import runs
 from kinetruss.display.browser import chromium
-from kinetruss.runs import RunResult
-from samples import fourbar, tripod
 
 
 def pytest_collection_modifyitems(items: list[pytest.Item]) -> None:
@@ -21,15 +18,3 @@ def pytest_collection_modifyitems(items: list[pytest.Item]) -> None:
     for item in items:
         if here in item.path.parents:
             item.add_marker(pytest.mark.skip(reason="no chromium on this machine (apt-get install chromium)"))
-
-
-@pytest.fixture(scope="session")
-def turn() -> RunResult:
-    """A plane four-bar linkage turned once."""
-    return runs.run(fourbar(), "turn")
-
-
-@pytest.fixture(scope="session")
-def lift() -> RunResult:
-    """A tripod, two load cases."""
-    return runs.run(tripod(), "lift")

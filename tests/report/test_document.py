@@ -76,11 +76,6 @@ def embedded(text: str) -> dict:
 
 
 @pytest.fixture(scope="module")
-def lift() -> RunResult:
-    return run(tripod())
-
-
-@pytest.fixture(scope="module")
 def lift_text(lift) -> str:
     return report.document_page(lift).html
 
@@ -125,6 +120,7 @@ def test_each_kind_of_run_has_its_parts(kind):
 
 
 @pytest.mark.slow
+@pytest.mark.usefixtures("undrawn")
 def test_what_happened_in_a_simulation_is_told():
     done = run(kt.Model(**PENDULUM))
     record = report.document_page(done).record
@@ -221,6 +217,7 @@ def test_a_reviewer_computes_the_same_again(lift, lift_text, tmp_path):
 
 
 @pytest.mark.slow
+@pytest.mark.usefixtures("undrawn")
 def test_a_model_changed_behind_the_run_is_found(tmp_path):
     run(fourbar(), out=tmp_path / "run")
     found = report.document_page(load(tmp_path / "run")).html
@@ -235,6 +232,7 @@ EVIL = "<script>alert(1)</script><img src=x onerror=alert(2)>\"'&</title></style
 
 
 @pytest.mark.slow
+@pytest.mark.usefixtures("undrawn")
 def test_names_and_titles_stay_text():
     model = fourbar(title=EVIL)
     bars = {f"<b>{name}&'\"": bar for name, bar in model.bars.items()}
@@ -260,6 +258,7 @@ def stopped(tmp_path) -> RunResult:
 
 
 @pytest.mark.slow
+@pytest.mark.usefixtures("undrawn")
 def test_an_interrupted_run_says_so_on_top(tmp_path):
     page = Page(text := report.document_page(stopped(tmp_path)).html)
     top = page.words[: page.words.index("Result")]
@@ -274,6 +273,7 @@ def test_an_interrupted_run_says_so_on_top(tmp_path):
 
 
 @pytest.mark.slow
+@pytest.mark.usefixtures("undrawn")
 def test_a_run_that_ended_early_says_so_on_top():
     moves = kt.Quintic(moves={"LA": (1.0295630, 2.6)}, duration=1.0)
     done = run(tripod(runs={"lift": kt.Run(trajectory=moves, samples=41)}))
@@ -323,6 +323,7 @@ def test_the_same_run_gives_the_same_text(lift, lift_text):
 
 
 @pytest.mark.slow
+@pytest.mark.usefixtures("undrawn")
 def test_the_view_is_a_frame_of_its_own_and_paper_has_a_picture(lift):
     view = '<!doctype html><title>x</title><p>"quoted"</p>'
     text = report.document_page(lift, view=view).html

@@ -14,23 +14,13 @@ from kinetruss.report.pictures.specs import Bars, Drawing, Histories, pen
 from kinetruss.report.pictures.stands import projected
 from kinetruss.report.plots import specification
 from kinetruss.report.run_figures import specifications
-from kinetruss.runs import RunResult, run
-from samples import fourbar, tripod
-
-
-@pytest.fixture(scope="module")
-def tripod_run() -> RunResult:
-    return run(tripod())
-
-
-@pytest.fixture(scope="module")
-def fourbar_run() -> RunResult:
-    return run(fourbar())
+from kinetruss.runs import run
+from samples import tripod
 
 
 @pytest.mark.slow
-def test_all_pictures_are_drawn(tripod_run, tmp_path):
-    written = report.figures(tripod_run, tmp_path / "new" / "pictures")
+def test_all_pictures_are_drawn(lift, tmp_path):
+    written = report.figures(lift, tmp_path / "new" / "pictures")
     names = {path.name for path in written}
     assert {"shape.png", "shape.svg", "lengths.png", "forces_pushed.svg", "utilisation.png", "stresses.png",
             "motors_standing.png"} <= names  # fmt: skip
@@ -42,39 +32,39 @@ def test_all_pictures_are_drawn(tripod_run, tmp_path):
 
 
 @pytest.mark.slow
-def test_the_same_run_gives_the_same_bytes(fourbar_run, tmp_path):
-    one, two = (report.figures(fourbar_run, tmp_path / name, formats=["svg"]) for name in "ab")
+def test_the_same_run_gives_the_same_bytes(turn, tmp_path):
+    one, two = (report.figures(turn, tmp_path / name, formats=["svg"]) for name in "ab")
     assert [path.read_bytes() for path in one] == [path.read_bytes() for path in two]
 
 
-def test_every_axis_has_its_unit(tripod_run):
-    for figure in specifications(tripod_run):
+def test_every_axis_has_its_unit(lift):
+    for figure in specifications(lift):
         if isinstance(figure, Histories):
             assert all(panel.unit for panel in figure.panels)
         elif isinstance(figure, Bars):
             assert figure.unit
 
 
-def test_the_band_holds_every_curve(tripod_run):
-    (panel,) = next(figure for figure in specifications(tripod_run) if figure.name == "forces_pushed").panels
+def test_the_band_holds_every_curve(lift):
+    (panel,) = next(figure for figure in specifications(lift) if figure.name == "forces_pushed").panels
     low, high = panel.band
     for values in panel.lines.values():
         assert np.all((low <= values) & (values <= high))
     assert panel.dashed.keys() == panel.lines.keys()
 
 
-def test_motors_show_their_limit(tripod_run):
-    figure = next(figure for figure in specifications(tripod_run) if figure.name == "motors_pushed")
+def test_motors_show_their_limit(lift):
+    figure = next(figure for figure in specifications(lift) if figure.name == "motors_pushed")
     limits = {panel.quantity: panel.limit for panel in figure.panels}
     assert limits == {"thrust": None, "motor torque": None, "current": 10.0, "voltage": 25.0}
 
 
-def test_the_shape_of_a_full_turn_is_shown_at_the_start_and_at_the_extremes(fourbar_run):
-    shape = next(figure for figure in specifications(fourbar_run) if isinstance(figure, Drawing))
+def test_the_shape_of_a_full_turn_is_shown_at_the_start_and_at_the_extremes(turn):
+    shape = next(figure for figure in specifications(turn) if isinstance(figure, Drawing))
     assert len(shape.stands) == 3
     assert tuple(kind == "driven" for kind in shape.kinds) == (True, False, False)
     first, *others = (stand.dots for stand in shape.stands)
-    every = fourbar_run.motion.position.values
+    every = turn.motion.position.values
     np.testing.assert_array_equal(first, every[0])
     reach = np.abs(every - first).max()
     assert all(np.abs(other - first).max() > 0.25 * reach for other in others)
@@ -108,13 +98,13 @@ def test_colours_stay_apart_for_colour_blind_readers(lost):
     assert min(np.linalg.norm(a - b) for a, b in itertools.combinations(shown, 2)) > 0.1
 
 
-def test_one_quantity_of_several_runs(tripod_run, tmp_path):
+def test_one_quantity_of_several_runs(lift, tmp_path):
     other = run(tripod(21))
-    figure = specification([tripod_run, other], "member_force", ["LA"], "pushed")
+    figure = specification([lift, other], "member_force", ["LA"], "pushed")
     assert list(figure.panels[0].lines) == ["samples 41", "samples 21"]
     assert len(figure.panels[0].times["samples 21"]) == 21
     assert figure.panels[0].dashed.keys() == figure.panels[0].lines.keys()
-    path = report.plot([tripod_run], "position", tmp_path / "deep" / "p.svg", members=["T"])
+    path = report.plot([lift], "position", tmp_path / "deep" / "p.svg", members=["T"])
     assert path.exists()
 
 
@@ -126,12 +116,12 @@ def test_one_quantity_of_several_runs(tripod_run, tmp_path):
         ("member_force", "a.png", ("LX",), "'LX' is not in member_force. Did you mean 'L"),
     ],
 )
-def test_what_cannot_be_drawn_is_said(tripod_run, tmp_path, quantity, file, members, message):
+def test_what_cannot_be_drawn_is_said(lift, tmp_path, quantity, file, members, message):
     with pytest.raises(InputError, match=message):
-        report.plot([tripod_run], quantity, tmp_path / file, members=members)
+        report.plot([lift], quantity, tmp_path / file, members=members)
 
 
-def test_a_folder_that_cannot_be_written_is_said(fourbar_run, tmp_path):
+def test_a_folder_that_cannot_be_written_is_said(turn, tmp_path):
     (tmp_path / "file").write_text("")
     with pytest.raises(StoreError, match="cannot be written"):
-        report.figures(fourbar_run, tmp_path / "file" / "pictures")
+        report.figures(turn, tmp_path / "file" / "pictures")

@@ -28,6 +28,7 @@ def embedded(page: str) -> dict:
 
 
 @pytest.mark.slow
+@pytest.mark.usefixtures("undrawn")
 def test_a_mission_from_disk(tmp_path):
     model = tripod(
         samples=9,

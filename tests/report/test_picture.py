@@ -19,21 +19,11 @@ from kinetruss.errors import InputError, StoreError
 from kinetruss.report.pictures.draw import draw
 from kinetruss.report.pictures.specs import Histories
 from kinetruss.report.plots import specification
-from kinetruss.runs import RunResult, run
+from kinetruss.runs import run
 from kinetruss.viewer.scenes import snapshots
 from samples import fourbar, tripod
 
 SVG = "{http://www.w3.org/2000/svg}"
-
-
-@pytest.fixture(scope="module")
-def turn() -> RunResult:
-    return run(fourbar())
-
-
-@pytest.fixture(scope="module")
-def lift() -> RunResult:
-    return run(tripod())
 
 
 def texts(path: Path) -> list[str]:

@@ -31,12 +31,8 @@ def png(width: int = 4, height: int = 3, rows: int = 3) -> bytes:
     return b"\x89PNG\r\n\x1a\n" + part(b"IHDR", header) + part(b"IDAT", dots) + part(b"IEND", b"")
 
 
-@pytest.fixture(scope="module")
-def lift() -> kt.runs.RunResult:
-    return kt.run(tripod(), "lift")
-
-
 @pytest.mark.slow
+@pytest.mark.usefixtures("undrawn")
 def test_a_summary_has_result_figure_calculation_and_assumptions(lift):
     page = report.document_page(lift, summary=True, view="<p>three dimensions</p>")
     names = re.findall(r'<h2><span class="count">\d+ </span>(.*?)</h2>', page.html)
@@ -61,6 +57,7 @@ def test_a_summary_takes_at_most_two_sheets(lift, tmp_path, paper):
 
 
 @pytest.mark.slow
+@pytest.mark.usefixtures("undrawn")
 def test_summary_and_report_lie_beside_each_other(lift, tmp_path):
     kt.run(tripod(), "lift", out=tmp_path / "run")
     logo = tmp_path / "logo.svg"
@@ -75,6 +72,7 @@ def test_summary_and_report_lie_beside_each_other(lift, tmp_path):
 
 
 @pytest.mark.slow
+@pytest.mark.usefixtures("undrawn")
 def test_a_png_is_embedded(lift, tmp_path):
     file = tmp_path / "logo.png"
     file.write_bytes(png())

@@ -9,41 +9,30 @@ import kinetruss as kt
 from kinetruss import report
 from kinetruss.errors import InputError
 from kinetruss.report import curves
-from kinetruss.runs import RunResult, load, run
-from samples import fourbar, tripod
+from kinetruss.runs import RunResult, run
 
 
-@pytest.fixture(scope="module")
-def tripod_run() -> RunResult:
-    return run(tripod())
-
-
-@pytest.fixture(scope="module")
-def fourbar_run() -> RunResult:
-    return run(fourbar())
-
-
-def test_the_page_names_the_worst(tripod_run):
-    text = report.summary(tripod_run).text
+def test_the_page_names_the_worst(lift):
+    text = report.summary(lift).text
     assert "Completed." in text
-    worst = tripod_run.verdict.table()[0]
+    worst = lift.verdict.table()[0]
     assert text.index("Worst members") < text.index(worst.part, text.index("Worst members"))
     for word in ("margin", "load case", "pushed", "voltage", "energy balance", "singularity", "unique forces       all"):
         assert word in text
 
 
-def test_the_page_as_data_is_plain_json(tripod_run):
-    record = json.loads(json.dumps(report.summary(tripod_run).record, allow_nan=False))
+def test_the_page_as_data_is_plain_json(lift):
+    record = json.loads(json.dumps(report.summary(lift).record, allow_nan=False))
     assert record["whole"] is True
     assert record["samples"] == {"asked": 41, "good": 41}
-    assert record["worst"][0]["utilisation"] == pytest.approx(float(tripod_run.verdict.utilisation.max()))
+    assert record["worst"][0]["utilisation"] == pytest.approx(float(lift.verdict.utilisation.max()))
     assert record["checks"]["energy_balance"]["relative"] < 1e-9
     assert {motor["active"] for motor in record["motors"]} == {"LA", "LB", "LC"}
 
 
-def test_the_largest_force_is_the_largest(tripod_run):
-    first = report.summary(tripod_run).record["largest_forces"][0]
-    everywhere = np.concatenate([forces.member_force.values.ravel() for forces in tripod_run.forces.values()])
+def test_the_largest_force_is_the_largest(lift):
+    first = report.summary(lift).record["largest_forces"][0]
+    everywhere = np.concatenate([forces.member_force.values.ravel() for forces in lift.forces.values()])
     assert abs(first["force"]) == np.abs(everywhere).max()
 
 
@@ -62,35 +51,19 @@ def test_of_many_motors_those_nearest_to_a_limit_are_shown():
     assert motors.splitlines()[2].split()[0] == shown[0]  # all use the same stroke: the most loaded comes first
 
 
-@pytest.mark.slow
-def test_a_run_that_is_not_whole_says_so_at_the_top(tmp_path):
-    def stop(done: int, total: int) -> None:
-        raise KeyboardInterrupt
-
-    with pytest.raises(KeyboardInterrupt):
-        run(tripod(), out=tmp_path / "run", block=10, progress=stop)
-    half = load(tmp_path / "run")
-    text = report.summary(half).text
-    assert "Incomplete" in text.splitlines()[1]
-    assert "10 of 41 samples are good" in text
-    assert "--resume" in text
-    assert "Worst members" not in text
-    assert report.summary(half).record["whole"] is False
-
-
-def test_drives_without_a_motor_are_listed_in_their_units(fourbar_run, tripod_run):
-    (row,) = report.summary(fourbar_run).record["drive_loads"]
-    torque = next(iter(fourbar_run.forces.values())).data["drive_force"].values[:, 0]
+def test_drives_without_a_motor_are_listed_in_their_units(turn, lift):
+    (row,) = report.summary(turn).record["drive_loads"]
+    torque = next(iter(turn.forces.values())).data["drive_force"].values[:, 0]
     at = int(np.abs(torque).argmax())
     assert (row["drive"], row["unit"], row["load"]) == ("motor", "N m", torque[at])
-    assert row["time"] == fourbar_run.motion.data["time"].values[at]
-    power = torque * fourbar_run.motion.data["drive_velocity"].values[:, 0]
+    assert row["time"] == turn.motion.data["time"].values[at]
+    power = torque * turn.motion.data["drive_velocity"].values[:, 0]
     assert row["power"] == power[np.abs(power).argmax()]
-    text = report.summary(fourbar_run).text
+    text = report.summary(turn).text
     assert "Drives without a motor (largest values of the motion)" in text
     assert "N m " in text.split("Drives without a motor (")[1].splitlines()[2]
     # members with a screw stand in the table of motors
-    assert not report.summary(tripod_run).record["drive_loads"]
+    assert not report.summary(lift).record["drive_loads"]
 
 
 @pytest.fixture(scope="module")
@@ -114,6 +87,7 @@ def door_run() -> RunResult:
 
 
 @pytest.mark.slow
+@pytest.mark.usefixtures("undrawn")
 def test_torques_and_angles_of_hinges_are_printed_and_drawn_in_their_units(door_run):
     (row,) = report.summary(door_run).record["drive_loads"]
     assert (row["drive"], row["kind"], row["unit"]) == ("turn", "hinge", "N m")
@@ -140,22 +114,22 @@ def test_torques_and_angles_of_hinges_are_printed_and_drawn_in_their_units(door_
     assert "Drives without a motor" in report.document_page(door_run).html
 
 
-def test_joint_forces_balance_at_a_pin(fourbar_run):
-    found = report.joints(fourbar_run, node="B").found
+def test_joint_forces_balance_at_a_pin(turn):
+    found = report.joints(turn, node="B").found
     assert [row[:3] for row in found.rows] == [("crank", "B", "B"), ("coupler", "A", "B")]
     assert found.supports == ()
     np.testing.assert_allclose(found.rows[0][3] + found.rows[1][3], 0, atol=1e-9 * np.abs(found.rows[0][3]).max())
 
 
-def test_supports_carry_what_their_members_get(fourbar_run):
-    found = report.joints(fourbar_run, node="A", time=0.2).found
+def test_supports_carry_what_their_members_get(turn):
+    found = report.joints(turn, node="A", time=0.2).found
     assert found.time == pytest.approx(0.2, abs=0.01)
     np.testing.assert_allclose(found.rows[0][3], found.supports[0][1], rtol=1e-9)
 
 
-def test_member_axes_turn_with_the_member(tripod_run):
-    found = report.joints(tripod_run, member="LA", time=0.5, case="pushed").found
-    forces = tripod_run.forces["pushed"].data.sel(member="LA").sel(time=found.time, method="nearest")
+def test_member_axes_turn_with_the_member(lift):
+    found = report.joints(lift, member="LA", time=0.5, case="pushed").found
+    forces = lift.forces["pushed"].data.sel(member="LA").sel(time=found.time, method="nearest")
     tension = forces["end_force"].values
     (_, _, _, world_a, local_a), (_, _, _, world_b, local_b) = found.rows
     np.testing.assert_allclose([-local_a[0], local_b[0]], tension, rtol=1e-12)
@@ -163,12 +137,12 @@ def test_member_axes_turn_with_the_member(tripod_run):
         assert np.linalg.norm(world) == pytest.approx(np.linalg.norm(local), rel=1e-12)
 
 
-def test_joint_forces_by_axis_and_as_text(tripod_run):
-    page = report.joints(tripod_run, node="T", axis="z")
+def test_joint_forces_by_axis_and_as_text(lift):
+    page = report.joints(lift, node="T", axis="z")
     assert page.found.axes == ("z",)
     text = page.text
     assert len(text.splitlines()) == 6
-    record = report.joints(tripod_run).record
+    record = report.joints(lift).record
     assert len(record["joint_force"]) == 6
     assert len(record["reaction"]) == 3
 
@@ -182,12 +156,12 @@ def test_joint_forces_by_axis_and_as_text(tripod_run):
         ({"time": float("nan")}, "time is nan"),
     ],
 )
-def test_unknown_names_are_offered_the_known(tripod_run, what, message):
+def test_unknown_names_are_offered_the_known(lift, what, message):
     with pytest.raises(InputError, match=message):
-        report.joints(tripod_run, **what)
+        report.joints(lift, **what)
 
 
-def test_a_stroke_never_hides_behind_many_other_limits(tripod_run, monkeypatch):
+def test_a_stroke_never_hides_behind_many_other_limits(lift, monkeypatch):
     from kinetruss import actuators
     from kinetruss.actuators import Exceeded
 
@@ -196,10 +170,10 @@ def test_a_stroke_never_hides_behind_many_other_limits(tripod_run, monkeypatch):
 
     found = [one("torque", 2 + k) for k in range(20)] + [one("stroke", 1.01), one("current", 1.5)]
     monkeypatch.setattr(actuators, "exceeded", lambda demand: found)
-    told = report.summary(tripod_run).record["exceeded"]
+    told = report.summary(lift).record["exceeded"]
     assert [entry["quantity"] for entry in told[:3]] == ["torque", "current", "stroke"]
     assert [entry["value"] for entry in told[3:5]] == [21, 20]  # two load cases: then the worst first
-    text = report.summary(tripod_run).text
+    text = report.summary(lift).text
     assert "LA: stroke from the middle between its limits too high" in text
     assert "more: torque" in text
 

@@ -13,7 +13,7 @@ import kinetruss as kt
 from kinetruss import report
 from kinetruss.report.document.sheets import evaluate, in_numbers, in_symbols
 from kinetruss.report.document.worked import demand_sheet, member_sheet, shown, worked
-from kinetruss.runs import RunResult, run
+from kinetruss.runs import run
 from samples import ALUMINIUM, MOTOR, SCREW, fourbar, tripod
 
 ROUND_OFF = 1e-11
@@ -40,11 +40,6 @@ def computed(numbers: str) -> float:
     names = {"sqrt": math.sqrt, "pi": math.pi, "cos": math.cos, "sin": math.sin, "abs": abs, "min": min}
     names |= {"sec": lambda angle: 1 / math.cos(angle), "sign": lambda value: math.copysign(1.0, value)}
     return float(eval(text, {"__builtins__": {}}, names))
-
-
-@pytest.fixture(scope="module")
-def lift() -> RunResult:
-    return run(tripod())
 
 
 def geared(**motor: object) -> kt.Model:

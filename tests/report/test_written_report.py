@@ -10,15 +10,10 @@ from kinetruss.display import browser
 from kinetruss.errors import StoreError
 from kinetruss.report.document import writing
 from kinetruss.results.folder import REPORT
-from kinetruss.runs import RunResult, run
+from kinetruss.runs import run
 from samples import fourbar
 
 PDF = b"%PDF-1.4\n...\n%%EOF\n"
-
-
-@pytest.fixture(scope="module")
-def turn() -> RunResult:
-    return run(fourbar())
 
 
 ANSWERS = """#!{python}
@@ -50,6 +45,7 @@ def printing(folder: Path, printed: bytes) -> str:
 
 
 @pytest.mark.slow
+@pytest.mark.usefixtures("undrawn")
 def test_page_and_paper_are_written_whole(turn, tmp_path, monkeypatch):
     found = printing(tmp_path, PDF)
     monkeypatch.setattr(writing, "chromium", lambda: found)
@@ -71,6 +67,7 @@ def test_page_and_paper_are_written_whole(turn, tmp_path, monkeypatch):
         ("#!/bin/sh\nexec sleep 30", "did not answer within 0.2 s"),
     ],
 )
+@pytest.mark.usefixtures("undrawn")
 def test_paper_that_is_not_whole_is_not_kept(turn, tmp_path, monkeypatch, script, words):
     found = program(tmp_path, script) if script else printing(tmp_path, b"%PDF-1.4 half")
     monkeypatch.setattr(writing, "chromium", lambda: found)
@@ -88,6 +85,7 @@ def test_paper_that_is_not_whole_is_not_kept(turn, tmp_path, monkeypatch, script
 
 
 @pytest.mark.slow
+@pytest.mark.usefixtures("undrawn")
 def test_without_chromium_the_page_is_written_all_the_same(turn, tmp_path, monkeypatch):
     monkeypatch.setenv("PATH", str(tmp_path))
     monkeypatch.setattr(browser, "PLACES", ())
@@ -99,6 +97,7 @@ def test_without_chromium_the_page_is_written_all_the_same(turn, tmp_path, monke
 
 
 @pytest.mark.slow
+@pytest.mark.usefixtures("undrawn")
 def test_a_program_that_cannot_be_started_is_told(turn, tmp_path, monkeypatch):
     (tmp_path / "browser").write_text("no program")
     monkeypatch.setattr(writing, "chromium", lambda: str(tmp_path / "browser"))
@@ -106,6 +105,7 @@ def test_a_program_that_cannot_be_started_is_told(turn, tmp_path, monkeypatch):
 
 
 @pytest.mark.slow
+@pytest.mark.usefixtures("undrawn")
 def test_an_old_report_stays_when_the_new_one_fails(turn, tmp_path, monkeypatch):
     report.write_document(turn, tmp_path, pdf=False)
     before = (tmp_path / "report.html").read_bytes()
@@ -129,6 +129,7 @@ def test_a_place_that_is_a_file_is_refused(turn, tmp_path):
 
 
 @pytest.mark.slow
+@pytest.mark.usefixtures("undrawn")
 def test_a_run_done_again_has_no_old_report(tmp_path):
     for _ in range(2):
         run(fourbar(), out=tmp_path / "run", overwrite=True)

@@ -13,6 +13,7 @@ CHOSEN = ("no drives 2", "all fixed 2", "no bars 2", "no bars, fixed 3", "one ba
 
 @pytest.mark.slow
 @pytest.mark.parametrize("name", CHOSEN)
+@pytest.mark.usefixtures("undrawn")
 def test_a_model_that_lacks_nearly_everything(name, tmp_path):
     assert degenerate.walked(name, MODELS[name], tmp_path, SHOWN) == []
 

@@ -50,6 +50,7 @@ def told(*arguments):
         ("vibration", ("displacement", "settled", "difference")),
     ],
 )
+@pytest.mark.usefixtures("undrawn")
 def test_a_run_from_a_file_is_the_call_itself(model, file, tmp_path, name, names):
     out = tmp_path / name
     told("run", file, name, "-o", out)

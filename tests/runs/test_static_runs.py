@@ -4,11 +4,10 @@ from __future__ import annotations
 
 import numpy as np
 import pytest
-from click.testing import CliRunner
 
 import kinetruss as kt
 from kinetruss import report
-from kinetruss.cli import main
+from shows import shown
 
 STEEL = kt.library.materials.STEEL_S235
 TILT = kt.Quintic(moves={"bay.beta": (0.0, 0.1)}, duration=1.0)
@@ -143,22 +142,10 @@ def test_an_unreachable_pose_ends_the_run_with_the_poses_before_it(bay):
 
 @pytest.mark.slow
 @pytest.mark.parametrize("name", ["small", "large", "listed", "along", "bent"])
+@pytest.mark.usefixtures("undrawn")
 def test_every_command_shows_a_static_run(frame, bay, name, tmp_path):
-    model, out = frame if name in frame.runs else bay, str(tmp_path / "out")
-    kt.write(model, tmp_path / "m.yaml")
-    for words in (
-        ["run", str(tmp_path / "m.yaml"), name, "-o", out],
-        ["info", out],
-        ["info", out, "--json"],
-        ["report", out, "-o", str(tmp_path / "report"), "--no-open"],
-        ["view", out, "-o", str(tmp_path / "view.html")],
-        ["plot", out, "--quantity", "member_force", "-o", str(tmp_path / "plot.png")],
-        ["export", out, str(tmp_path / "all.csv")],
-        ["compare", out, out],
-    ):
-        done = CliRunner().invoke(main, words)
-        assert done.exit_code == 0, (words, done.output)
-    page = (tmp_path / "report" / "report.html").read_text("utf-8")
+    kt.run(frame if name in frame.runs else bay, name, tmp_path / "out")
+    page, _ = shown(tmp_path / "out", tmp_path)
     assert "Static analysis" in page
 
 

@@ -49,6 +49,8 @@ def test_no_part_of_it_looks_completed(half):
     ("verb", "place", "words"),
     [
         ("info RUN", "stdout", "Incomplete: it was interrupted. Continue with: kinetruss run --resume"),
+        ("info RUN", "stdout", "8 of 13 samples are good"),
+        ("info RUN --json", "stdout", '"whole": false'),
         ("info RUN --json", "stdout", '"state": "incomplete", "status": "INTERRUPTED"'),
         ("export RUN RUN/run.csv", "stderr", "not complete: 8 of 13 samples are good"),
         ("view RUN -o RUN/view.html --no-open", "stderr", "not complete: 8 of 13 samples are good"),
@@ -62,6 +64,7 @@ def test_every_verb_that_shows_it_says_so(half, verb, place, words):
     done = CliRunner().invoke(main, verb.replace("RUN", str(half)).split())
     assert done.exit_code == 0, done.output
     assert words in getattr(done, place)
+    assert "Worst members" not in done.stdout
     if verb.startswith("report"):
         assert "This run is not complete." in (half / "report" / "report.html").read_text(encoding="utf-8")
 

@@ -87,6 +87,7 @@ def test_the_summary_names_rule_reason_and_parts(stored):
 
 
 @pytest.mark.slow
+@pytest.mark.usefixtures("undrawn")
 def test_the_page_and_the_picture_and_the_report_say_so(stored, tmp_path):
     run = runs.load(stored)
     scene = viewer.scene(run)

@@ -14,17 +14,7 @@ from kinetruss import runs, viewer
 from kinetruss.errors import InputError
 from kinetruss.results import Forces, Motion, Verdict
 from kinetruss.runs import RunResult
-from samples import fourbar, tripod
-
-
-@pytest.fixture(scope="module")
-def lift() -> RunResult:
-    return runs.run(tripod(), "lift")
-
-
-@pytest.fixture(scope="module")
-def turn() -> RunResult:
-    return runs.run(fourbar(), "turn")
+from samples import fourbar
 
 
 def again(scene: viewer.Scene) -> viewer.Scene:
