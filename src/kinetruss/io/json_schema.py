@@ -46,6 +46,8 @@ def schema() -> dict[str, Any]:
     records["Node"] = {"anyOf": [records["Node"], records["Node"]["properties"]["at"]]}
     for name in ("Bar", "Beam"):
         records[name] = {"anyOf": [records[name], records[name]["properties"]["ends"]]}
+    held = records["Restraint"]
+    records["Restraint"] = {"anyOf": [{"enum": ["held", "free"]}, held, held["properties"]["stiffness"]["anyOf"][0]]}
     properties = made["properties"]
     listed = {"type": "array", "items": {"type": "string", **properties["nodes"]["propertyNames"]}}
     for name in ("fixed", "clamped"):

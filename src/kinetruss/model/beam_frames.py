@@ -16,6 +16,7 @@ from kinetruss.model.drives import CoordinateDrive, CosineCoordinate, Coupling
 from kinetruss.model.inner import Owner
 from kinetruss.model.joints import GROUND
 from kinetruss.model.members import Brace, Node
+from kinetruss.model.supports import turning_supports
 
 if TYPE_CHECKING:
     from collections.abc import Mapping
@@ -71,7 +72,8 @@ def frames(model: ModelData) -> dict[str, Axes]:
             rigid[frame] = rigid.get(frame, 0) + (1 if beam.kind == "rigid" and not hinged else 2)
             rigid[end] = rigid.get(end, 0) + hinged
     # the ground holds no rotation where all beams are released
-    wanted = [frame for frame, count in rigid.items() if frame in origin and (count > 1 or frame in model.clamped)]
+    held = model.clamped.keys() | turning_supports(model)
+    wanted = [frame for frame, count in rigid.items() if frame in origin and (count > 1 or frame in held)]
     axes = [f"d{k + 1}" for k in range(model.dim)]
     return {frame: Axes(origin[frame], size[frame], tuple(f"{frame}.{axis}" for axis in axes)) for frame in wanted}
 
@@ -148,6 +150,7 @@ def rigid_groups(whole: WholeModel) -> dict[str, Body]:
         to = whole.clamped.get(name)
         # a node on the axis of a hinge belongs to both frames
         on = tuple(hinge.node for hinge in pins if name in (hinge.own, hinge.base))
+        on += whole.inner.arms_of_supports.get(name, ())
         if to in found:
             body = found[to]
             found[to] = body.with_(nodes=(*body.nodes, *frame.nodes, *on), carriers=body.carried_by(whole.dim), brace=True)

@@ -17,13 +17,25 @@ from kinetruss.model.hubs import missing_nodes
 from kinetruss.model.inner import Inner, Owner
 from kinetruss.model.members import Brace
 from kinetruss.model.references import unknown_names
+from kinetruss.model.supports import add_fixed, add_supports
 from kinetruss.model.table import ReadOnly
 
 if TYPE_CHECKING:
     from kinetruss.model.members import Active, Bar
 
 
-GROWING = ("nodes", "fixed", "bars", "active", "bodies", "support_motion", "couplings")
+GROWING = (
+    "nodes",
+    "fixed",
+    "clamped",
+    "bars",
+    "active",
+    "bodies",
+    "support_motion",
+    "couplings",
+    "springs",
+    "stops",
+)
 """Tables to which inner parts are added; in them members of hubs end at the tips of arms."""
 
 
@@ -40,6 +52,11 @@ class WholeModel(ModelData):
     >>> model.whole.inner.nodes["B.d1"].text, model.whole.inner.bars["arm.chord"].text
     ('rotation of B', 'beam arm')
     """
+
+    @cached_property
+    def given(self) -> ModelData:
+        """The model as the user gave it."""
+        return self
 
     @cached_property
     def inner(self) -> Inner:
@@ -68,23 +85,31 @@ class WholeModel(ModelData):
     def sealed(self) -> WholeModel:
         """The same, with tables that do not change any more."""
         self.__dict__.update({name: ReadOnly(self.__dict__[name]) for name in GROWING})
-        self.__dict__.pop("driven_members", None)  # what was derived meanwhile
+        for derived in ("driven_members", "force_elements"):  # meanwhile
+            self.__dict__.pop(derived, None)
         return self
 
 
 def expanded(model: ModelData) -> WholeModel:
     """The whole of a model. Beams, bodies and hubs that are at fault get no inner parts, or too few.
 
-    First hubs get their arms and bodies, then beams their frames; last the bars that all rigid ones still need.
+    First hubs get their arms and bodies, then beams their frames, on which supports act; last the bars that all rigid ones
+    still need.
     """
     whole = WholeModel.growing(model)
+    whole.__dict__["given"] = model
     whole.inner.arms.update({hub: arms_of(model, hub) for hub in model.hubs if hub in model.nodes})
     if model.hubs and missing_nodes(model):
         return whole.sealed()
     if model.hubs:
         add_hubs(model, whole)
+    if model.supports:
+        add_fixed(whole)
     if model.beams:
         add_frames(whole)
+    if model.supports:
+        add_supports(whole)
+    if model.beams:
         add_spins(whole)
     if whole.bodies or model.beams:
         _add_braces(whole)

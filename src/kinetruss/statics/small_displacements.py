@@ -143,8 +143,16 @@ def flexibility(held: System, x: NDArray[np.float64]) -> NDArray[np.float64]:
     return np.asarray(found)
 
 
-def solve(held: System, x: NDArray[np.float64], flexible: NDArray[np.float64], load: NDArray[np.float64]) -> Solved:
+def solve(
+    held: System,
+    x: NDArray[np.float64],
+    flexible: NDArray[np.float64],
+    load: NDArray[np.float64],
+    given: NDArray[np.float64] | None = None,
+) -> Solved:
     """Displacements and forces under nodal forces load (3 n,), N, at positions x (n, 3), with error bounds.
+
+    given (rows,) : elongations of inextensible rows that are prescribed, m.
 
     Raises
     ------
@@ -157,8 +165,9 @@ def solve(held: System, x: NDArray[np.float64], flexible: NDArray[np.float64], l
     f = np.concatenate([np.where(slack, 0.0, flexible), soft])
     size = float(f.max(initial=0.0)) or 1.0 / (float(np.abs(C.data).max(initial=0.0)) or 1.0)
     matrix = _saddle(G, f / size, np.append(slack, np.zeros(len(soft), np.bool_)), size * C)
-    push = float(np.abs(load[held.free]).max(initial=0.0)) or 1.0
-    b = np.concatenate([np.zeros(len(f)), load[held.free] / push])
+    prescribed = np.zeros(rows) if given is None else given
+    push = max(float(np.abs(load[held.free]).max(initial=0.0)), float(np.abs(prescribed).max(initial=0.0)) / size) or 1.0
+    b = np.concatenate([-prescribed / (push * size), np.zeros(len(soft)), load[held.free] / push])
     parts = [slice(0, len(f)), slice(len(f), len(b))]
     # elements may carry the load alone: the forces of bars are then 0 but for round-off
     found = best_of(matrix, b, parts, _order(held), 1.0 if held.continua is not None or only.nnz else 0.0)
@@ -166,7 +175,7 @@ def solve(held: System, x: NDArray[np.float64], flexible: NDArray[np.float64], l
         _explain(held, x, flexible)
     force, displacement, inner = found.y[: len(f)] * push, np.zeros(held.x0.size), np.zeros(held.x0.size)
     displacement[held.free] = -found.y[len(f) :] * push * size
-    elongation = np.where(slack, G[:rows] @ displacement[held.free], f[:rows] * force[:rows])
+    elongation = np.where(slack, G[:rows] @ displacement[held.free], f[:rows] * force[:rows] + prescribed)
     if held.continua is not None or only.nnz:
         inner = only @ displacement + _beam_rows(held, x).T @ force[rows:]
     return Solved(
