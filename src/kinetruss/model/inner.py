@@ -17,8 +17,8 @@ WORDS = {"beams": "beam", "bodies": "body", "hubs": "hub", "supports": "support"
 
 
 class Owner(NamedTuple):
-    """To what an inner part belongs: the table of the model (``nodes``, ``beams``, ``bodies``, ``hubs``, ``supports``), the name
-    there, and the node at which it is (empty for bars).
+    """To what an inner part belongs: the table of the model (``nodes``, ``beams``, ``bodies``, ``hubs``, ``supports``), the
+    name there, and the node at which it is (empty for bars).
     """
 
     table: Literal["nodes", "beams", "bodies", "hubs", "supports"]
@@ -38,7 +38,8 @@ class Inner:
     nodes : of frames and of axes of hinges, tips of the arms of hubs, apexes. bars : chords of beams, braces, bars of hinges,
     arms of hubs. bodies : of hubs and of hinged members. couplings : of rotations of beams, of hinges, of supports.
     elements : springs and stops of supports. frames, hinges, spins : of beams. arms : of each hub. pivots : the hinges of hubs.
-    holdings : what holds the directions of supports. arms_of_supports : nodes of a frame along the axes of a turned support.
+    twice : supports whose node the user also fixed or clamped, with the table. holdings : what holds the directions of
+    supports. arms_of_supports : nodes of a frame along the axes of a turned support.
     """
 
     nodes: dict[str, Owner] = field(default_factory=dict)
@@ -51,6 +52,7 @@ class Inner:
     spins: list[Spin] = field(default_factory=list)
     arms: dict[str, list[Arm]] = field(default_factory=dict)
     pivots: list[Pivot] = field(default_factory=list)
+    twice: dict[str, str] = field(default_factory=dict)
     holdings: list[Holding] = field(default_factory=list)
     arms_of_supports: dict[str, tuple[str, ...]] = field(default_factory=dict)
 

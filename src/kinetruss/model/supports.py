@@ -192,6 +192,11 @@ class Holding(NamedTuple):
     vector: tuple[float, float, float]
     arm: str = ""
 
+    def text(self, dim: int) -> str:
+        """The support and its direction: ``A (y)``."""
+        axis = "xyz"[self.axis]
+        return f"{self.node} ({(f'rotation {axis}' if dim == 3 else 'rotation') if self.arm else axis})"
+
 
 def axes_of_support(model: ModelData, node: str) -> tuple[tuple[float, ...], ...]:
     """The axes of the support at a node as rows, (dim, dim). ValueError says what is wrong with them."""
@@ -246,10 +251,8 @@ def support_faults(model: WholeModel, dim: int) -> Iterator[Fault]:
         path = ("supports", node)
         if node not in model.nodes:
             continue
-        for table in ("fixed", "clamped"):
-            if node in getattr(model.given, table):
-                mend = "Leave it out of one of both."
-                yield Fault(path, f"the node is also {table}.", mend, about=((table, node),))
+        if (table := model.inner.twice.get(node)) is not None:
+            yield Fault(path, f"the node is also {table}.", f"Leave it out of supports or of {table}.", about=((table, node),))
         if model.nodes[node].scalar or node in model.hubs:
             what = "a scalar, which is no place" if model.nodes[node].scalar else "a hub"
             yield Fault(path, f"the node is {what}.", "Support another node, or fix this one.", about=(("nodes", node),))
@@ -303,6 +306,8 @@ def turning_supports(model: ModelData) -> set[str]:
 def add_fixed(whole: WholeModel) -> None:
     """Translations that are held along global axes, and clamps, as `fixed` and `clamped` say them."""
     every = "xyz"[: whole.dim]
+    given = (("clamped", whole.clamped), ("fixed", whole.fixed))
+    whole.inner.twice.update({node: name for name, table in given for node in whole.supports if node in table})
     for node, one in _sound(whole):
         rigid = [k for k, way in one.shifts.items() if way.rigid]
         whole_way = len(rigid) == whole.dim

@@ -54,11 +54,6 @@ class WholeModel(ModelData):
     """
 
     @cached_property
-    def given(self) -> ModelData:
-        """The model as the user gave it."""
-        return self
-
-    @cached_property
     def inner(self) -> Inner:
         """The inner parts, with their owners."""
         return Inner()
@@ -97,7 +92,6 @@ def expanded(model: ModelData) -> WholeModel:
     still need.
     """
     whole = WholeModel.growing(model)
-    whole.__dict__["given"] = model
     whole.inner.arms.update({hub: arms_of(model, hub) for hub in model.hubs if hub in model.nodes})
     if model.hubs and missing_nodes(model):
         return whole.sealed()

@@ -118,12 +118,9 @@ def reactions(
 
 def lifted(system: System, elements: Floats) -> list[str]:
     """Directions of supports with a gap in which they do not press, as ``A (y)``, from the forces (force_elements,)."""
-    names, found = list(system.force_elements), []
-    for one in system.inner.holdings:
-        if one.table == "stops" and elements[names.index(one.name)] == 0.0:
-            word = f"rotation {'xyz'[one.axis]}" if one.arm and system.dim == 3 else "rotation" if one.arm else "xyz"[one.axis]
-            found.append(f"{one.node} ({word})")
-    return found
+    names = list(system.force_elements)
+    stops = [one for one in system.inner.holdings if one.table == "stops"]
+    return [one.text(system.dim) for one in stops if elements[names.index(one.name)] == 0.0]
 
 
 def lifted_note(system: System, elements: Floats) -> str:
