@@ -23,7 +23,10 @@ if TYPE_CHECKING:
     from kinetruss.mechanics import System
     from kinetruss.results.arrays import Column
 
-MARKS = {axis: f"inner_{axis}" for axis in ("node", "member", "coupling", "spring", "stop")}
+OF_SUPPORTS = ("coupling", "spring", "stop")
+"""The axes of what supports are made of, besides fixed nodes."""
+
+MARKS = {axis: f"inner_{axis}" for axis in ("node", "member", *OF_SUPPORTS)}
 """The coordinates that mark inner parts, by the axis that has them."""
 
 HELD = "held"
@@ -152,7 +155,8 @@ def users(whole: xr.Dataset) -> xr.Dataset:
     # the user's are the first ones, so that values are not copied
     parts = {axis: slice(len(own)) if (own == np.arange(len(own))).all() else own for axis, own in kept.items()}
     gone = [MARKS[axis] for axis in marks]
-    return whole.drop_dims(HELD, errors="ignore").isel(parts).drop_vars(gone)
+    none = [axis for axis, own in kept.items() if axis in OF_SUPPORTS and not len(own)]
+    return whole.drop_dims(HELD, errors="ignore").isel(parts).drop_vars(gone).drop_dims(none, errors="ignore")
 
 
 class Shown:

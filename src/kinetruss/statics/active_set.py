@@ -30,6 +30,9 @@ REACHED = 1e-12
 PULLS = 1e-9
 """A force below this fraction of the largest one is none."""
 
+WEAK = 1e-6
+"""Fraction of its stiffness that a row without force has while it is looked for what it touches."""
+
 MOST = 100
 """Largest number of solutions, and of changes of one row at a time for each row."""
 
@@ -141,15 +144,14 @@ def solve_one_sided(
     AnalysisError : no set is consistent.
     """
     kinks, given = kinks_of(held, x, flexible), given_displacements(held, x)
-    state = kinks.before
+    known = held, x, flexible, tension, load, kinks, given
     try:
-        return _searched(held, x, flexible, tension, load, kinks, given, state)
+        return _searched(*known, kinks.before)[0]
     except InputError:
-        nearest = np.where(np.abs(kinks.upper) <= np.abs(kinks.lower), 1, -1)
-        if not len(kinks.row) or (state == nearest).all():
+        if not len(kinks.row):
             raise
-        # a mechanism until some of them touch
-        return _searched(held, x, flexible, tension, load, kinks, given, nearest)
+    # a mechanism until some of them touch: where it goes is found with weak springs in place of nothing
+    return _searched(*known, _searched(*known, kinks.before, WEAK)[1])[0]
 
 
 def _searched(
@@ -161,7 +163,11 @@ def _searched(
     kinks: Kinks,
     given: NDArray[np.float64],
     state: NDArray[np.int64],
-) -> OneSided:
+    weak: float = 0.0,
+) -> tuple[OneSided, NDArray[np.int64]]:
+    """The solution and the state of the rows: 1 above the upper kink, -1 below the lower one, 0 between, where a row then has
+    this fraction of its stiffness.
+    """
     G, row, k = constraint_jacobian(held, x), kinks.row, kinks.stiffness
     first, seen = kinks.before, set()
     alone = False
@@ -169,7 +175,8 @@ def _searched(
         now, before = flexible.copy(), tension.copy()
         on = state != 0
         end = np.where(state > 0, kinks.upper, np.where(state < 0, kinks.lower, 0.0))
-        now[row], before[row] = np.where(on, 1.0 / k, np.inf), np.where(on, -k * end, 0.0)
+        now[row] = np.where(on, 1.0 / k, 1.0 / (weak * k) if weak else np.inf)
+        before[row] = np.where(on, -k * end, 0.0)
         solved = solve(held, x, now, load - G.T @ before, given)
         total = before + solved.force
         least = PULLS * float(np.abs(total).max(initial=0.0))
@@ -182,9 +189,9 @@ def _searched(
             stored = np.where(given != 0.0, 0.0, (0.5 * solved.force + before) * solved.elongation)
             was = np.where(first > 0, -k * kinks.upper, np.where(first < 0, -k * kinks.lower, 0.0))
             stored[row] = 0.5 * (total[row] ** 2 - np.nan_to_num(was) ** 2) / k
-            return OneSided(
-                solved=solved, flexible=now, tension=before, stored=stored, slack=_slack(held, row[~on]), given=given
-            )
+            slack = _slack(held, row[~on])
+            found = OneSided(solved=solved, flexible=now, tension=before, stored=stored, slack=slack, given=given)
+            return found, state
         key = state.tobytes()
         if key in seen:  # one at a time, the first wrong one, so that it does not go round (Murty, 1974)
             alone = True
