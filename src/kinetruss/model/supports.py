@@ -10,6 +10,7 @@ from typing import TYPE_CHECKING, Annotated, Any, ClassVar, NamedTuple
 
 from pydantic import BeforeValidator, Field, model_validator
 
+from kinetruss.display import quantity
 from kinetruss.errors import Fault, shown
 from kinetruss.model.drives import AngleDrive, CoordinateDrive, Coupling, Spring
 from kinetruss.model.inner import Owner
@@ -240,6 +241,32 @@ def _dot(a: Any, b: Any) -> float:
 
 def _sized(a: Any) -> tuple[float, ...]:
     return tuple(v / math.hypot(*a) for v in a)
+
+
+def support_words(one: Support) -> str:
+    """What a support holds, in words.
+
+    >>> print(support_words(Support(x="held", y={"stiffness": "2 kN/mm", "gap": [0, None]}, turned="30 deg")))
+    x held, y 2 MN/m (gap 0 m, -), turned by 30 deg
+    >>> print(support_words(Support(y={"settlement": "-5 mm"}, rotation="50 kN m/rad")))
+    y held (settled by -5 mm), rotation 50 kN m/rad
+    """
+    found = []
+    for name in ("x", "y", "z", "rotation", *TURNS):
+        way = getattr(one, name)
+        if way is None:
+            continue
+        force, shift = ("N m/rad", "rad") if name.startswith("rotation") else ("N/m", "m")
+        more = [f"settled by {quantity(way.settlement, shift)}"] if way.settlement else []
+        more += [f"gap {', '.join('-' if v is None else str(quantity(v, shift)) for v in way.gap)}"] if way.gap else []
+        how = "held" if way.stiffness is None else str(quantity(way.stiffness, force))
+        found.append(f"{name} {how}{f' ({more[0]})' if more else ''}")
+    if one.turned:
+        found.append(f"turned by {quantity(one.turned, 'rad')}")
+    for field in ("along", "across"):
+        if (way := getattr(one, field)) is not None:
+            found.append(f"{field} {way if isinstance(way, str) else list(way)}")
+    return ", ".join(found)
 
 
 # Faults.
