@@ -263,9 +263,8 @@ def support_words(one: Support) -> str:
         found.append(f"{name} {how}{f' ({more[0]})' if more else ''}")
     if one.turned:
         found.append(f"turned by {quantity(one.turned, 'rad')}")
-    for field in ("along", "across"):
-        if (way := getattr(one, field)) is not None:
-            found.append(f"{field} {way if isinstance(way, str) else list(way)}")
+    axes = (("along", one.along), ("across", one.across))
+    found += [f"{field} {way if isinstance(way, str) else list(way)}" for field, way in axes if way is not None]
     return ", ".join(found)
 
 

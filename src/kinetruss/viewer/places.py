@@ -91,7 +91,7 @@ class Places:
 
     @cached_property
     def supports(self) -> dict[str, list[int]]:
-        """Nodes by the way they are held: ``clamped``, ``held`` in all axes, ``guided`` in some; ``soft`` on springs or gaps."""
+        """Nodes by the way they are held: ``clamped``, ``held`` in all axes, ``guided`` in some; ``soft`` yields."""
         found: dict[str, list[int]] = {"clamped": [], "held": [], "guided": []}
         for one in self.scene.header["supports"]:
             whole = len(one["axes"]) == self.scene.header["dim"]
