@@ -589,3 +589,14 @@ def test_files_say_the_same(tmp_path):
 def test_words_of_mobility():
     model = bent(**KINDS["elastic"])
     assert "not counted, since they yield or have a gap: supports N0 (rotation), N2 (y)" in str(kt.kinematics.mobility(model))
+
+
+def test_portal_vibrates_sideways():
+    """w^2 = 24 E I/(h^3 m) of a stiff girder of mass m on two clamped columns without mass."""
+    h, m = 3.0, 500.0
+    model = portal(CLAMP, CLAMP, push=0.0)
+    nodes = {name: kt.Node(at=node.at, mass=m / 2 if name in "BC" else 0.0) for name, node in model.nodes.items()}
+    beams = model.beams | {"top": kt.Beam(ends=("B", "C"), kind="rigid", mass=0.0)}
+    moves = kt.dynamics.linearise(model.with_(nodes=nodes, beams=beams, loads={}))
+    frequencies = np.abs(moves.pole_imag.values)
+    assert frequencies[frequencies > 1.0].min() == pytest.approx(math.sqrt(24 * EI / (h**3 * m)), rel=1e-6)
