@@ -1,6 +1,7 @@
 """Time of statics.linear and kinematics.mobility against the number of bars, and how exact the forces are (``--json``).
 
-Cantilevers of four bars a panel (determinate: the exact forces are known), the same with both diagonals, and a wide grid.
+Cantilevers of four bars a panel (determinate: the exact forces are known), the same with both diagonals, a wide grid of bars;
+frames of beams, in the plane and in space, up to 10,000 of them.
 """
 
 from __future__ import annotations
@@ -13,6 +14,8 @@ import time
 import numpy as np
 
 BARS = (1_000, 10_000, 30_000, 100_000)
+BEAMS = 10_000
+"""Largest number of beams."""
 METAL = {"E": 210e9, "density": 0.0}
 
 
@@ -45,9 +48,18 @@ def measured(sizes: list[int] | tuple[int, ...] = BARS) -> dict:
     kt.statics.linear(cantilever(3)[0])  # imports
     kt.kinematics.mobility(cantilever(3)[0])
     rows = []
-    for case, make, per in (("cantilever", cantilever, 4), ("crossed", crossed, 5), ("grid", grid, None)):
+    cases = (
+        ("cantilever", cantilever, lambda size: size // 4),
+        ("crossed", crossed, lambda size: size // 5),
+        ("grid", grid, lambda size: max(2, round((size / 4) ** 0.5))),
+        ("frame", frame, lambda size: max(1, round((size / 2) ** 0.5))),
+        ("space", space, lambda size: max(1, round((size / 3) ** (1 / 3)))),
+    )
+    for case, make, count in cases:
         for size in sizes:
-            model, exact = make(size // per if per else max(2, round((size / 4) ** 0.5)))
+            if case in ("frame", "space") and size > BEAMS:
+                continue
+            model, exact = make(count(size))
             marks = [time.perf_counter()]
             compile(model)
             marks.append(time.perf_counter())
@@ -58,7 +70,7 @@ def measured(sizes: list[int] | tuple[int, ...] = BARS) -> dict:
             force, energy, work = found.member_force.values, found.energy.item(), found.work.item()
             error = None if exact is None else float(np.abs(np.abs(force) - exact).max() / exact.max())
             rows.append(
-                {"case": case, "bars": len(model.bars)}
+                {"case": case, "bars": len(model.bars) + len(model.beams)}
                 | dict(zip(("compile", "mobility", "linear"), np.diff(marks).tolist(), strict=True))
                 | {"force_error": error, "unbalanced": abs(energy - work) / energy, "message": found.message}
             )
@@ -110,6 +122,41 @@ def grid(side: int):
             if i < side and j < side:
                 bars[f"b{i}_{j}_3"] = (f"n{i + 1}_{j}", f"n{i}_{j + 1}")
     return _model(nodes, bars, [f"n0_{j}" for j in range(side + 1)], f"n{side}_{side}"), None
+
+
+def frame(side: int):
+    """side bays by side storeys of beams, clamped at its feet, pushed at one side."""
+    nodes = {f"n{i}_{j}": (4.0 * i, 3.0 * j) for i in range(side + 1) for j in range(side + 1)}
+    beams = {f"c{i}_{j}": (f"n{i}_{j}", f"n{i}_{j + 1}") for i in range(side + 1) for j in range(side)}
+    beams |= {f"b{i}_{j}": (f"n{i}_{j}", f"n{i + 1}_{j}") for i in range(side) for j in range(1, side + 1)}
+    return _beams(nodes, beams, [f"n{i}_0" for i in range(side + 1)], {f"n0_{j}": (1e3, 0.0) for j in range(1, side + 1)}), None
+
+
+def space(side: int):
+    """The same in space, side bays by side bays by side storeys."""
+    every = range(side + 1)
+    nodes = {f"n{i}_{k}_{j}": (4.0 * i, 4.0 * k, 3.0 * j) for i in every for k in every for j in every}
+    beams = {}
+    for i, k, j in ((i, k, j) for i in every for k in every for j in every):
+        for name, ends, there in (
+            ("c", (i, k, j + 1), j < side),
+            ("x", (i + 1, k, j), j and i < side),
+            ("y", (i, k + 1, j), j and k < side),
+        ):
+            if there:
+                beams[f"{name}{i}_{k}_{j}"] = (f"n{i}_{k}_{j}", "n{}_{}_{}".format(*ends))
+    feet = [f"n{i}_{k}_0" for i in every for k in every]
+    return _beams(nodes, beams, feet, {f"n0_0_{j}": (1e3, 0.0, 0.0) for j in range(1, side + 1)}), None
+
+
+def _beams(nodes: dict, beams: dict, feet: list[str], forces: dict):
+    import kinetruss as kt
+
+    return kt.Model(
+        nodes=nodes, beams=beams, clamped=feet, section=kt.Rectangle(width=0.2, height=0.3),
+        material=kt.Material(poisson=0.3, **METAL),
+        loads={node: kt.NodalForce(node=node, force=force) for node, force in forces.items()},
+    )  # fmt: skip
 
 
 def _model(nodes: dict, bars: dict, fixed: list[str], loaded: str):

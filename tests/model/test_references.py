@@ -118,9 +118,10 @@ def task(kind: str, **fields: Any) -> dict[str, Any]:
 SPACE = STOCK | {
     "nodes": {
         "Ant": [0, 0, 0], "Bee": [1, 0, 0], "Cat": [0, 1, 0], "Dog": [0, 0, 1], "Eel": [2, 0, 1], "Fox": [2, 2, 1],
-        "Gnu": [0, 2, 1.5], "Hen": [3, 3, 0],
+        "Gnu": [0, 2, 1.5], "Hen": [3, 3, 0], "Ibis": [1, 2, 1.5],
     },
-    "fixed": {"Ant": "xyz", "Bee": "xyz", "Cat": "xyz", "Hen": "xyz"},
+    "fixed": {"Ant": "xyz", "Bee": "xyz", "Cat": "xyz", "Hen": "xyz", "Ibis": "xyz"},
+    "supports": {"Gnu": {"x": "held", "along": "Cat", "across": "Ibis"}},
     "bars": {
         "left": {"ends": ["Ant", "Eel"], "kind": "driven", "orientation": "Bee"},
         "right": {"ends": ["Bee", "Fox"], "kind": "driven"},

@@ -160,7 +160,6 @@ def test_what_an_error_offers_is_python_in_python_and_yaml_in_files(field, tmp_p
     [
         (kt.Run, "duration", "t_end"),
         (kt.Node, "weight", "mass"),
-        (kt.Model, "supports", "fixed"),
         (kt.Material, "rho", "density"),
     ],
 )

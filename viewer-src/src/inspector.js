@@ -248,7 +248,7 @@ function nodeValues(scene, frame, node) {
   const lump = scene.arrays.lump.data[node];
   if (lump) rows.push(["Lumped mass", quantity(lump, "kg")]);
   const held = scene.header.supports.find((one) => one.node === node);
-  if (held) rows.push(["Held in", [...held.axes].join(", ")]);
+  if (held) rows.push(held.words ? ["Support", held.words] : ["Held in", [...held.axes].join(", ")]);
   const support = scene.header.supported?.indexOf(scene.nodes[node]) ?? -1;
   if (support >= 0) rows.push(["Reaction", listed(scene.vector("reaction", frame, support), "N")]);
   scene.header.loads.forEach((load, k) => {

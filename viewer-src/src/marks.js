@@ -14,13 +14,14 @@ const DRIVE = KINDS.driven, BODY = "#3f4a55";
 export const PRESSURE = 0.3; // of the length of other arrows: many stand beside each other
 const AXES = { x: [1, 0, 0], y: [0, 1, 0], z: [0, 0, 1] };
 
-/** Cones whose tips touch the nodes held: one upright where all axes are held, else one along each held axis. */
+/** Cones whose tips touch the nodes held: one upright where all axes are held, else one along each held direction. */
 export class Supports {
   constructor(scene, size) {
     Object.assign(this, { scene, size });
     const all = "xyz".slice(0, scene.dim);
     const upright = scene.dim === 2 ? 1 : 2;
-    this.cones = scene.header.supports.flatMap(({ node, axes }) => {
+    this.cones = scene.header.supports.flatMap(({ node, axes, towards: own }) => {
+      if (own) return own.map((towards) => ({ node, towards }));
       if ([...axes].sort().join("") !== all) return [...axes].map((axis) => ({ node, towards: AXES[axis] }));
       const towards = [0, 0, 0];
       // on the far side of the structure, so that a hanging one hangs from its supports

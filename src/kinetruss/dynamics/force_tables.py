@@ -181,17 +181,18 @@ def force_arrays(system: System, motion: Motion, loads: Any, solved: dict[str, A
         "member_force": variable(per, every.member_force, "N", "mean axial force, tension positive"),
         "end_force": variable((*per, "end"), every.end_force, "N", "axial tension at end A (first node), end B"),
         "joint_force": variable((*per, "end", "axis"), every.joint_force[..., :dim], "N", "force on the member from its joint"),
-        **reactions(system, ("time",), solved["x"].reshape(len(solved["x"]), len(system.nodes), 3), every.reaction),
         "drive_force": variable(("time", "drive"), every.drive_force, force_units(system)[0]["drive"], "drive force or torque"),
     }
+    on = named_motions(system, solved["x"], _relative(solved).v) if system.force_elements else None
+    x = solved["x"].reshape(len(solved["x"]), len(system.nodes), 3)
+    data |= reactions(system, ("time",), x, every.reaction, every.coupling_force, None if on is None else on.force)
     if system.model.couplings:
         words = "force or torque on the coupled coordinate"
         data["coupling_force"] = variable(("time", "coupling"), every.coupling_force, force_units(system)[0]["coupling"], words)
-    if system.force_elements:
+    if on is not None:
         if not at_rest:
             whole = refined(motion.arrays["time"].values, *_relative(solved), Passed.of(system, motion))
             refuse_turns(system, whole.t, whole.x, whole.v)
-        on = named_motions(system, solved["x"], _relative(solved).v)
         data |= element_columns(system, ("time",), on.force, on.value)
     data |= other_columns(system, ("time",), solved["x"], _relative(solved).v, np.asarray(loads.t, float))
     if "bearing" in solved:

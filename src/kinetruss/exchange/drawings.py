@@ -248,7 +248,9 @@ def write_dxf(path: Path, model: Model, x: NDArray[np.float64]) -> list[LeftOut]
     for name in (one for one in model.nodes if one in model.whole.fixed):
         space.add_point(x[place[name]].tolist(), dxfattribs={"layer": "support"})
     document.saveas(path)
-    left = [LeftOut("fixed", name, f"is held along {axes} only; a point marks it") for name, axes in model.fixed.items()
+    said = "of a support a point is drawn where it is rigid; it is not said what it holds"
+    left = [LeftOut("supports", name, said) for name in model.supports]
+    left += [LeftOut("fixed", name, f"is held along {axes} only; a point marks it") for name, axes in model.fixed.items()
             if len(axes) < model.dim]  # fmt: skip
     for table in ("beams", "membranes", "solids"):
         left += [LeftOut(table, name, "only bars are drawn") for name in getattr(model, table)]

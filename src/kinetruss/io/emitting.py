@@ -9,13 +9,13 @@ from decimal import Decimal
 from functools import cache
 from typing import Any, get_args
 
-from kinetruss.model import Bar, Membrane, Model, Node, Of, Record, Solid
+from kinetruss.model import Bar, Membrane, Model, Node, Of, Record, Restraint, Solid
 from kinetruss.units import EITHER, Tagged
 
 _UNITS = {quantity: dict(zip(("length", "angle"), units.split(", or "), strict=True)) for quantity, units in EITHER.items()}
 """By quantity the units of the values of a length and of an angle."""
-_SHORT = {Node: "at", Bar: "ends"}
-"""Records that are written as the list of one field if they have no other field."""
+_SHORT = {Node: "at", Bar: "ends", Restraint: "stiffness"}
+"""Records that are written as the value of one field if they have no other field."""
 
 LISTED = 20
 """Largest number of mesh elements written as a list; more are written as one text, which is read a hundred times faster."""
@@ -36,6 +36,8 @@ def plain_record(record: Record) -> Any:
             given[name] = _value(value, quantities.get(name, ""))
     if isinstance(record, Membrane | Solid) and len(record.elements) > LISTED:
         given["elements"] = "; ".join(" ".join(map(str, row)) for row in record.elements)
+    if not given and isinstance(record, Restraint):
+        return "held"
     if list(given) == [_SHORT.get(type(record))]:
         return next(iter(given.values()))
     return given

@@ -47,6 +47,8 @@ def schema() -> dict[str, Any]:
     for name in ("Bar", "Beam"):
         records[name] = {"anyOf": [records[name], records[name]["properties"]["ends"]]}
     records["Quantity"] = {"anyOf": [records["Quantity"], records["Quantity"]["properties"]["value"]]}
+    held = records["Restraint"]
+    records["Restraint"] = {"anyOf": [{"enum": ["held", "free"]}, held, held["properties"]["stiffness"]["anyOf"][0]]}
     properties = made["properties"]
     listed = {"type": "array", "items": {"type": "string", **properties["nodes"]["propertyNames"]}}
     for name in ("fixed", "clamped"):

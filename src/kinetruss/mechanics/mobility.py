@@ -285,6 +285,8 @@ class Mobility:
         lines += [f"  and {self.undriven - LINES} more mechanisms"] * (self.undriven > LINES)
         lines += [f"  self-stress {i + 1}: {text}" for i, text in enumerate(self.self_stress_texts(LINES))]
         lines += [f"  and {self.self_stress - LINES} more states of self-stress"] * (self.self_stress > LINES)
+        if soft := [one.text(self.system.dim) for one in self.system.inner.holdings if one.table != "couplings"]:
+            lines.append(f"not counted, since they yield or have a gap: supports {few(soft, LINES)}")
         return "\n".join(lines)
 
     def mechanism_texts(self, most: int | None = None) -> list[str]:
@@ -431,7 +433,7 @@ def _beside(system: System) -> str:
 def afloat(model: Model) -> Fault | None:
     """The fault of a structure that the ground holds nowhere, where supports are needed; None if there are some."""
     on_ground = any(isinstance(drive, CoordinateDrive) for drive in model.drives.values())
-    if model.fixed or "ground" in model.clamped.values() or on_ground:
+    if model.fixed or model.supports or "ground" in model.clamped.values() or on_ground:
         return None
     return Fault((), "no node is fixed, so that the structure moves as a whole.", "Name the nodes at its supports in 'fixed'.")
 

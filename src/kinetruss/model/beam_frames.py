@@ -17,6 +17,7 @@ from kinetruss.model.inner import Owner
 from kinetruss.model.joints import GROUND
 from kinetruss.model.links import Piece
 from kinetruss.model.members import Brace, Node
+from kinetruss.model.supports import turning_supports
 
 if TYPE_CHECKING:
     from collections.abc import Mapping
@@ -77,7 +78,8 @@ def frames(model: ModelData) -> dict[str, Axes]:
             rigid[frame] = rigid.get(frame, 0) + (1 if alone else 2)
             rigid[end] = rigid.get(end, 0) + hinged
     # the ground holds no rotation where all beams are released
-    wanted = [frame for frame, count in rigid.items() if frame in origin and (count > 1 or frame in model.clamped)]
+    held = model.clamped.keys() | turning_supports(model)
+    wanted = [frame for frame, count in rigid.items() if frame in origin and (count > 1 or frame in held)]
     axes = [f"d{k + 1}" for k in range(model.dim)]
     return {frame: Axes(origin[frame], size[frame], tuple(f"{frame}.{axis}" for axis in axes)) for frame in wanted}
 
@@ -159,6 +161,7 @@ def rigid_groups(whole: WholeModel) -> dict[str, Body]:
         # a node on the axis of a hinge belongs to both frames
         on = tuple(hinge.node for hinge in pins if name in (hinge.own, hinge.base))
         on += (whole.inner.tips[name],) if name in whole.inner.tips else ()
+        on += whole.inner.arms_of_supports.get(name, ())
         if to in found:
             body = found[to]
             found[to] = body.with_(nodes=(*body.nodes, *frame.nodes, *on), carriers=body.carried_by(whole.dim), brace=True)

@@ -29,6 +29,7 @@ from kinetruss.model.quantities import quantity_faults
 from kinetruss.model.references import unknown_names
 from kinetruss.model.run_checks import all_condition_faults, run_faults, value_faults
 from kinetruss.model.simulation import TRAJECTORY_TASKS
+from kinetruss.model.supports import support_faults
 from kinetruss.model.trajectories import length_faults, moved_by
 
 if TYPE_CHECKING:
@@ -72,6 +73,7 @@ def faults_of(model: WholeModel) -> list[Fault]:
         *_gauges(model),
         *quantity_faults(model),
         *continuum_faults(model, dim),
+        *support_faults(model, dim),
     ]
 
 

@@ -37,6 +37,7 @@ from kinetruss.model.references import NodeName
 from kinetruss.model.runs import BaseRotation, Condition, Run
 from kinetruss.model.sections import Material, MaterialOrName, Section, SectionOrName
 from kinetruss.model.stops import Stop
+from kinetruss.model.supports import Support
 from kinetruss.model.table import Filled, ReadOnly, Table
 from kinetruss.model.trajectories import Trajectory
 
@@ -125,6 +126,8 @@ class ModelData(Record):
     """Stiff members through two pins or more, straight or bent: their nodes in order, or a record with section and mass."""
     clamped: Clamps = ReadOnly()
     """Nodes of beams whose rotation is held: a list (by the ground), or node -> body."""
+    supports: Table[NodeName, Support] = ReadOnly()
+    """Supports that hold single translations and rotations of a node: rigid, elastic, turned, with a gap or a settlement."""
     bodies: Table[Name, Body] = ReadOnly()
     """Rigid or straining masses on nodes: mass, centre and inertia."""
     joints: Table[Name, Joint] = ReadOnly()

@@ -15,7 +15,7 @@ if TYPE_CHECKING:
 COUNTED = (
     ("bars", "bar", ""), ("active", "active member", ""), ("beams", "beam", ""), ("links", "link", ""),
     ("bodies", "body", "bodies"), ("hubs", "hub", ""), ("membranes", "membrane", ""), ("solids", "solid", ""),
-    ("springs", "spring", ""), ("loads", "load", ""), ("load_cases", "load case", ""),
+    ("springs", "spring", ""), ("supports", "support", ""), ("loads", "load", ""), ("load_cases", "load case", ""),
 )  # fmt: skip
 """Tables of a model that are counted -> the words for one and for several."""
 NAMED = 6

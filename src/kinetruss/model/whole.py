@@ -18,13 +18,26 @@ from kinetruss.model.inner import Inner, Owner
 from kinetruss.model.links import add_tips, pieces
 from kinetruss.model.members import Brace
 from kinetruss.model.references import unknown_names
+from kinetruss.model.supports import add_fixed, add_supports
 from kinetruss.model.table import ReadOnly
 
 if TYPE_CHECKING:
     from kinetruss.model.members import Active, Bar
 
 
-GROWING = ("nodes", "fixed", "bars", "active", "beams", "bodies", "support_motion", "couplings")
+GROWING = (
+    "nodes",
+    "fixed",
+    "clamped",
+    "bars",
+    "active",
+    "beams",
+    "bodies",
+    "support_motion",
+    "couplings",
+    "springs",
+    "stops",
+)
 """Tables to which inner parts are added; in them members of hubs end at the tips of arms."""
 
 
@@ -69,15 +82,16 @@ class WholeModel(ModelData):
     def sealed(self) -> WholeModel:
         """The same, with tables that do not change any more."""
         self.__dict__.update({name: ReadOnly(self.__dict__[name]) for name in GROWING})
-        self.__dict__.pop("driven_members", None)  # what was derived meanwhile
+        for derived in ("driven_members", "force_elements"):  # meanwhile
+            self.__dict__.pop(derived, None)
         return self
 
 
 def expanded(model: ModelData) -> WholeModel:
     """The whole of a model. Beams, bodies and hubs that are at fault get no inner parts, or too few.
 
-    First hubs get their arms and bodies, then links their beams, and all beams their frames; last the bars that all rigid ones
-    still need.
+    First hubs get their arms and bodies, then links their beams, and all beams their frames, on which supports act; last the
+    bars that all rigid ones still need.
     """
     whole = WholeModel.growing(model)
     whole.inner.arms.update({hub: arms_of(model, hub) for hub in model.hubs if hub in model.nodes})
@@ -85,11 +99,16 @@ def expanded(model: ModelData) -> WholeModel:
         return whole.sealed()
     if model.hubs:
         add_hubs(model, whole)
+    if model.supports:
+        add_fixed(whole)
     if model.links:
         whole.beams.update(pieces(model))
     if whole.beams:
         add_frames(whole)
         add_tips(whole)
+    if model.supports:
+        add_supports(whole)
+    if whole.beams:
         add_spins(whole)
     if whole.bodies or whole.beams:
         _add_braces(whole)

@@ -79,7 +79,7 @@ _RECORDS = {
 """Field or table -> a record in it."""
 _OTHERS = {
     "duration": "t_end", "end_time": "t_end", "elements": "bars", "members": "bars", "joints": "nodes", "points": "nodes",
-    "modulus": "E", "young": "E", "youngs_modulus": "E", "rho": "density", "position": "at", "supports": "fixed",
+    "modulus": "E", "young": "E", "youngs_modulus": "E", "rho": "density", "position": "at",
     "weight": "mass", "fy": "yield_strength", "nu": "poisson",
 }  # fmt: skip
 """Words of other programs -> the field that has this meaning here."""
@@ -213,6 +213,8 @@ def _fault(item: Any, data: Any, record: type, *, known: bool) -> Fault:
             expected, mend = "a list or a table of names", "Write for example fixed: [A, D], or fixed: {{A: xy, D: xy}}."
         if path[-1:] == ("clamped",):
             expected, mend = "a list or a table of names", "Write for example clamped: [A, D], or clamped: {{A: BODY}}."
+        if path[:1] == ("supports",) and len(path) < 3:
+            mend = "Write for example supports: {{A: {{x: held, y: 2 kN/mm}}}}; fixed: [A] holds a node in place."
         if not _OF_FILE.get():
             expected = {
                 "a table of names": "a dictionary",

@@ -10,8 +10,9 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from kinetruss.errors import InputError
+from kinetruss.errors import InputError, few
 from kinetruss.mechanics import cached
+from kinetruss.model.supports import axes_of_support, straight
 from kinetruss.results.arrays import Arrays, variable
 
 if TYPE_CHECKING:
@@ -24,7 +25,10 @@ if TYPE_CHECKING:
     from kinetruss.mechanics import System
     from kinetruss.results.arrays import Column
 
-MARKS = {"node": "inner_node", "member": "inner_member"}
+OF_SUPPORTS = ("coupling", "spring", "stop")
+"""The axes of what supports are made of, besides fixed nodes."""
+
+MARKS = {axis: f"inner_{axis}" for axis in ("node", "member", *OF_SUPPORTS)}
 """The coordinates that mark inner parts, by the axis that has them."""
 
 HELD = "held"
@@ -50,34 +54,70 @@ def part_axes(system: System) -> dict[str, Any]:
 @cached()
 def support_axes(system: System) -> dict[str, Any]:
     """The axes of `reactions`."""
-    names, at = _supports(system)
+    names = _supports(system)[0]
     found: dict[str, Any] = {"support": np.array(names, dtype=object).astype(str)}
-    if len(names) < len(at):
-        found |= {HELD: np.array(system.supports, dtype=object).astype(str), "rotation": list("xyz"[-_turns(system) :])}
+    if _plain(system):
+        return found
+    found |= {HELD: np.array(system.supports, dtype=object).astype(str)}
+    if clamps(system):
+        found["rotation"] = list("xyz"[-_turns(system) :])
     return found
 
 
-def reactions(system: System, per: tuple[str, ...], x: Floats, force: Floats) -> dict[str, Column]:
+def reactions(
+    system: System,
+    per: tuple[str, ...],
+    x: Floats,
+    force: Floats,
+    couplings: Floats | None = None,
+    elements: Floats | None = None,
+) -> dict[str, Column]:
     """Forces of supports, and the moments of clamps about their nodes, from the forces (.., held, 3) of all supported nodes at
-    positions x (.., n, 3).
+    positions x (.., n, 3), and from those on the coordinates of couplings (.., couplings) and elements (.., force_elements).
 
-    The force of a clamp is the sum over its node and those of its frame, its moment the sum of theirs about it.
+    The force of a clamp is the sum over its node and those of its frame, its moment the sum of theirs about it. What holds a
+    single direction adds its force along it, or its moment f (a r^2 - r (a r))/|r - a (a r)|^2: f on the angle about the axis a
+    of the arm r that turns with the node.
     """
-    names, at = _supports(system)
     dim = system.dim
-    if len(names) == len(at):
+    if _plain(system):
         return {"reaction": variable((*per, "support", "axis"), force[..., :dim], "N", "support force on the structure")}
     place, centre, sums = _held(system)
-    total = sums @ force
-    arm = x[..., place, :] - x[..., centre, :]
-    # r x F; of a few vectors numpy.cross takes several times as long
-    turned = np.stack([arm[..., i] * force[..., j] - arm[..., j] * force[..., i] for i, j in ((1, 2), (2, 0), (0, 1))], axis=-1)
-    moment = sums @ turned
+    total, moment = sums @ force, np.zeros((*force.shape[:-2], len(sums), 3))
+    if len(place):
+        arm = x[..., place, :] - x[..., centre, :]
+        # r x F; of a few vectors numpy.cross takes several times as long
+        parts = [arm[..., i] * force[..., j] - arm[..., j] * force[..., i] for i, j in ((1, 2), (2, 0), (0, 1))]
+        moment = moment + sums @ np.stack(parts, axis=-1)
+    names, _ = _supports(system)
+    on = {"couplings": (couplings, list(system.model.couplings)), "springs": (elements, list(system.force_elements))}
+    on["stops"] = on["springs"]
+    for one in system.inner.holdings:
+        values, known = on[one.table]
+        if values is None:
+            continue
+        f, k, a = values[..., known.index(one.name), None], names.index(one.node), np.array(one.vector)
+        if not one.arm:
+            total[..., k, :] += f * a
+            continue
+        r = x[..., system.node_index(one.arm), :] - x[..., system.node_index(one.node), :]
+        along = (r @ a)[..., None]
+        square = (r * r).sum(axis=-1, keepdims=True)
+        moment[..., k, :] += f * (a * square - r * along) / (square - along * along)
     words = "moment of a support on the structure, about its node"
-    return {
-        "reaction": variable((*per, "support", "axis"), total[..., :dim], "N", "support force on the structure"),
-        "reaction_moment": variable((*per, "support", "rotation"), moment[..., 3 - _turns(system) :], "N m", words),
-        "held_force": variable((*per, HELD, "axis"), force[..., :dim], "N", "force on each node that a support holds"),
+    found = {"reaction": variable((*per, "support", "axis"), total[..., :dim], "N", "support force on the structure")}
+    if clamps(system):
+        turns = (*per, "support", "rotation")
+        found["reaction_moment"] = variable(turns, moment[..., 3 - _turns(system) :], "N m", words)
+    if (own := _own_axes(system)) is not None:
+        said = "support force on the structure, along the axes of the support"
+        along_own = np.einsum("kij,...kj->...ki", own, total)
+        found["reaction_own"] = variable((*per, "support", "axis"), along_own[..., :dim], "N", said)
+        if dim == 3 and clamps(system):
+            said = "moment of a support on the structure, about its axes"
+            found["reaction_moment_own"] = variable(turns, np.einsum("kij,...kj->...ki", own, moment), "N m", said)
+    return found | {
+        "held_force": variable((*per, HELD, "axis"), force[..., :dim], "N", "force on each node that a support holds")
     }
 
 
@@ -88,16 +128,31 @@ def rotation_columns(system: System, per: tuple[str, ...], turned: Callable[[], 
     return {"node_rotation": variable((*per, "frame", "about"), turned(), "rad", "rotation of nodes of beams from the model")}
 
 
+def lifted(system: System, elements: Floats) -> list[str]:
+    """Directions of supports with a gap in which they do not press, as ``A (y)``, from the forces (force_elements,)."""
+    names = list(system.force_elements)
+    stops = [one for one in system.inner.holdings if one.table == "stops"]
+    return [one.text(system.dim) for one in stops if elements[names.index(one.name)] == 0.0]
+
+
+def lifted_note(system: System, elements: Floats) -> str:
+    """The sentence on supports that do not touch; empty if all do."""
+    found = lifted(system, elements)
+    return f"Within their gap, so that they hold nothing: supports {few(found, 8)}." if found else ""
+
+
 def held_forces(data: Any) -> tuple[list[str], NDArray[np.float64]]:
     """All supported nodes, inner ones too, and the forces on them, from the arrays of a result."""
     of, axis = ("held_force", HELD) if "held_force" in data else ("reaction", "support")
     return [str(name) for name in data[axis].values], data[of].values
 
 
+@cached()
 def clamps(system: System) -> set[str]:
-    """Supports that hold more than their node, so that they have a moment."""
+    """Supports that hold a rotation, so that they have a moment."""
     names, at = _supports(system)
-    return {name for k, name in enumerate(names) if at.count(k) > 1}
+    turning = {one.node for one in system.inner.holdings if one.arm}
+    return turning | {name for k, name in enumerate(names) if at.count(k) > 1}
 
 
 def users(whole: xr.Dataset) -> xr.Dataset:
@@ -109,7 +164,8 @@ def users(whole: xr.Dataset) -> xr.Dataset:
     # the user's are the first ones, so that values are not copied
     parts = {axis: slice(len(own)) if (own == np.arange(len(own))).all() else own for axis, own in kept.items()}
     gone = [MARKS[axis] for axis in marks]
-    return whole.drop_dims(HELD, errors="ignore").isel(parts).drop_vars(gone)
+    none = [axis for axis, own in kept.items() if axis in OF_SUPPORTS and not len(own)]
+    return whole.drop_dims(HELD, errors="ignore").isel(parts).drop_vars(gone).drop_dims(none, errors="ignore")
 
 
 class Shown:
@@ -200,8 +256,31 @@ def _held(system: System) -> tuple[NDArray[np.int64], NDArray[np.int64], NDArray
 
 @cached()
 def _supports(system: System) -> tuple[list[str], list[int]]:
-    """The user's supported nodes, and of every supported node the index of that to which it belongs."""
+    """The user's supported nodes, and of every node that is held in place the index of that to which it belongs."""
     inner = system.inner.nodes
     at = [inner[name].at if name in inner else name for name in system.supports]
     names = list(dict.fromkeys(at))
-    return names, [names.index(name) for name in at]
+    if more := {one.node for one in system.inner.holdings} - set(names):
+        names = sorted([*names, *more], key=system.node_index)
+    place = {name: k for k, name in enumerate(names)}
+    return names, [place[name] for name in at]
+
+
+@cached()
+def _plain(system: System) -> bool:
+    """True if every support holds its node only, along axes that are not turned."""
+    names, at = _supports(system)
+    return len(names) == len(at) and not system.inner.holdings and _own_axes(system) is None
+
+
+@cached()
+def _own_axes(system: System) -> NDArray[np.float64] | None:
+    """Axes (supports, 3, 3) of the supports as rows, None if no support is turned."""
+    names, model = _supports(system)[0], system.model
+    own = [k for k, name in enumerate(names) if name in model.supports and not straight(model, name)]
+    if not own:
+        return None
+    found = np.tile(np.eye(3), (len(names), 1, 1))
+    for k in own:
+        found[k, : system.dim, : system.dim] = axes_of_support(model, names[k])
+    return found

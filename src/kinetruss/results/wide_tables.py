@@ -230,7 +230,7 @@ def drive_unit(system: System) -> Found:
 @cached()
 def force_units(system: System, *axes: str) -> tuple[dict[str, str], dict[str, tuple[str, list[str]]]]:
     """The units of the forces of ``drive``, ``coupling`` and each kind of elements on coordinates, as ``spring``, and of their
-    values, as ``spring_value``; and the coordinates that they name.
+    values, as ``spring_value``; and the coordinates that they name, with those that mark parts of supports.
 
     axes : of the coordinates; by default all. A coupling and an element have the unit of their first coordinate.
     """
@@ -244,7 +244,14 @@ def force_units(system: System, *axes: str) -> tuple[dict[str, str], dict[str, t
         axis: unit_along(axis, [_force(one) for one in units], f"{axis}_force_unit", "N") for axis, units in firsts.items()
     }
     found |= {f"{kind}_value": unit_along(kind, firsts[kind], f"{kind}_unit", "m") for kind in own}
-    named = {name: one for _, coordinate in found.values() for name, one in coordinate.items()}
+    named: dict[str, Any] = {name: one for _, coordinate in found.values() for name, one in coordinate.items()}
+    # couplings, springs and stops of supports stand in their reactions
+    of_supports = {
+        name for name, owner in {**system.inner.couplings, **system.inner.elements}.items() if owner.table == "supports"
+    }
+    for axis, names in {"coupling": list(model.couplings), **own}.items():
+        if any(inner := [name in of_supports for name in names]):
+            named[f"inner_{axis}"] = (axis, inner)
     units = {axis: unit for axis, (unit, _) in found.items()}
     return units, {name: one for name, one in named.items() if one[0] in (axes or firsts)}
 

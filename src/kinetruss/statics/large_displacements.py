@@ -24,7 +24,7 @@ from kinetruss.mechanics.rotations import rotation_axes, rotations
 from kinetruss.model import Model, nearest
 from kinetruss.model.beam_checks import spin_note
 from kinetruss.results import Column, Result, Status, provenance, variable
-from kinetruss.results.user_parts import part_axes, reactions, rotation_columns, support_axes
+from kinetruss.results.user_parts import lifted_note, part_axes, reactions, rotation_columns, support_axes
 from kinetruss.results.wide_tables import element_axes, element_columns, force_units, other_columns
 from kinetruss.statics.saddle_point import LOOKED_AT, rows_of
 from kinetruss.statics.search import CLOSED, SearchResult, closed, find_equilibrium, row_errors
@@ -251,6 +251,7 @@ def _record(system: System, balance: Balance, reached: SearchResult) -> Equilibr
                 _message(reached, ways, system.nodes),
                 _unsure(balance, reached),
                 not_unique_note(unsure),
+                lifted_note(system, named_motions(system, reached.x[None]).force[0]) if system.inner.elements else "",
                 spin_note(system.model),
             )
             if text
@@ -308,7 +309,7 @@ def forces_of(system: System, balance: Balance, x: NDArray[np.float64], N: NDArr
     return (
         {
             "member_force": variable(("member",), mean, "N", "mean axial force, tension positive"),
-            **reactions(system, (), x, support[0, supports]),
+            **reactions(system, (), x, support[0, supports], -on_measures[own:last], on.force[0]),
             "drive_force": variable(("drive",), drive, units["drive"], "drive force or torque"),
         }
         | element_columns(system, (), on.force[0], on.value[0])

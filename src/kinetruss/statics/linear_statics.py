@@ -1,14 +1,8 @@
-"""The stiffness method for a model: its record, its load cases, cables that pull.
-
-A cable has T = max(0, k (l - l0 + e)), l and l0 its length and its natural length before the load. Those that the load would
-push carry nothing; those that it lengthens beyond l0 pull. The set is found by solving, changing and solving again (an active
-set); the structure being stable, there is one such state.
-"""
+"""The stiffness method for a model: its record, its load cases, its messages."""
 
 from __future__ import annotations
 
 from collections.abc import Collection
-from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any, NamedTuple
 
 import numpy as np
@@ -18,7 +12,7 @@ from kinetruss.dynamics.actions import CarriedBy
 from kinetruss.dynamics.bar_actions import mean_tension_at_rest
 from kinetruss.errors import AnalysisError, InputError, few
 from kinetruss.kernels.structure.structure import LENGTH
-from kinetruss.mechanics import CABLE, System, compile, constraint_jacobian, ends_of
+from kinetruss.mechanics import System, compile, constraint_jacobian, ends_of
 from kinetruss.mechanics.accuracy import NOTHING, SILENT, accuracy_note
 from kinetruss.mechanics.arguments import number_of, positions_of
 from kinetruss.mechanics.balance import measure_forces
@@ -29,10 +23,10 @@ from kinetruss.mechanics.rotations import rotation_axes, small_rotations
 from kinetruss.model import Model, nearest
 from kinetruss.model.beam_checks import spin_note
 from kinetruss.results import Result, Status, provenance, variable
-from kinetruss.results.user_parts import part_axes, reactions, rotation_columns, support_axes
+from kinetruss.results.user_parts import lifted_note, part_axes, reactions, rotation_columns, support_axes
 from kinetruss.results.wide_tables import coordinate_axes, displaced_columns, element_columns, force_units
+from kinetruss.statics.active_set import OneSided, kinks_of, solve_one_sided
 from kinetruss.statics.small_displacements import (
-    Solved,
     Weight,
     element_rows,
     end_weights,
@@ -46,72 +40,6 @@ from kinetruss.threads import one_thread
 
 if TYPE_CHECKING:
     from numpy.typing import ArrayLike, NDArray
-
-
-REACHED = 1e-12
-"""A cable shorter than its natural length by more than this fraction is slack before the load."""
-
-PULLS = 1e-9
-"""A tension below this fraction of the largest force is none."""
-
-MOST = 100
-"""Largest number of solutions."""
-
-
-@dataclass(frozen=True, kw_only=True, eq=False)
-class WithCables:
-    """The solution, with the flexibility and the tension (rows,) in the configuration that rows have under this load; stored
-    (rows,) J : energy that the load adds; slack : names of cables that carry nothing.
-    """
-
-    solved: Solved
-    flexible: NDArray[np.float64]
-    tension: NDArray[np.float64]
-    stored: NDArray[np.float64]
-    slack: tuple[str, ...]
-
-
-def solve_with_cables(
-    held: System, x: NDArray[np.float64], flexible: NDArray[np.float64], tension: NDArray[np.float64], load: NDArray[np.float64]
-) -> WithCables:
-    """`solve` with the cables that pull under nodal forces load (3 n,), N, at positions x (n, 3).
-
-    flexible, tension (rows,) : flexibility and force of the rows in the configuration itself.
-
-    Raises
-    ------
-    InputError : as `solve`; the message names slack cables.
-    AnalysisError : no set of cables is consistent.
-    """
-    G, i = constraint_jacobian(held, x), held.row_member
-    cable = (held.row_kind == LENGTH) & (held.law[i] == CABLE) & (flexible != 0)
-    length = ends_of(held, x, i)[1]
-    stiff = np.where(cable, held.spring[i], 0.0)
-    before = np.where(cable, stiff * (length - held.natural[i]), tension)  # below 0 of slack cables
-    pulls, seen = cable & (length >= held.natural[i] * (1 - REACHED)), set()
-    for _ in range(MOST):
-        now = np.where(cable, np.inf, flexible)
-        now[pulls] = 1.0 / stiff[pulls]
-        given = np.where(cable & ~pulls, 0.0, before)
-        solved = solve(held, x, now, load - G.T @ given)
-        least = PULLS * float(np.abs(given + solved.force).max(initial=0.0))
-        # tension that every cable would have: of slack ones by their present elongation
-        wanted = np.where(pulls, given + solved.force, before + stiff * solved.elongation)
-        wrong = (pulls & (wanted < -least)) | (cable & ~pulls & (wanted > least))
-        if not wrong.any():
-            names = tuple(held.members[k] for k in i[cable & ~pulls])
-            # of a row that has the force N0 before: N0 e + N e/2
-            stored = (0.5 * solved.force + given) * solved.elongation
-            total = given + solved.force
-            stored[cable] = 0.5 * (total[cable] ** 2 - tension[cable] ** 2) / stiff[cable]
-            return WithCables(solved=solved, flexible=now, tension=given, stored=stored, slack=names)
-        key = pulls.tobytes()
-        if key in seen:  # one at a time, so that it does not go round
-            wrong = np.arange(len(wrong)) == int(np.flatnonzero(wrong)[0])
-        seen.add(key)
-        pulls = pulls ^ wrong
-    among = few([held.members[k] for k in i[cable]], 6)
-    raise AnalysisError(f"It was not found which of the cables {among} pull under this load. See statics.equilibrium.")
 
 
 # Small displacements of an elastic truss by the stiffness method.
@@ -151,7 +79,8 @@ def linear(
     ----------
     position : (n_nodes, dim), m, the configuration; by default the model's own. Bars have no force there, except bars of kind
         ``elastic`` or ``cable`` with another natural length. Cables pull or are slack, as the load wants: the message names
-        the slack ones.
+        the slack ones. So do springs with play and stops, also those of supports with a gap; couplings whose value the
+        configuration does not have, as settlements of supports, displace it.
     load_case : name; None takes all loads of the model with factor 1. Loads in time are taken at `time`, s.
     weight : True: members and lumped masses weigh; ``"lumped"``: massless members; False: nothing weighs.
     rigid : names of members kept inextensible although they have E and A.
@@ -198,7 +127,7 @@ def linear(
     flexible[_rigid_rows(held, rigid)] = 0.0
     known = _known(system, held, x, loads)
     G = constraint_jacobian(held, x)
-    found = solve_with_cables(held, x, flexible, known.tension, known.load + known.continua_force)
+    found = solve_one_sided(held, x, flexible, known.tension, known.load + known.continua_force)
     flexible = found.flexible
     data = _dataset(system, held, x, found, known, G)
     force, displacement = found.solved.errors
@@ -218,7 +147,13 @@ def linear(
         displacement = max(displacement, _unbalanced(data))
     unsure = accuracy_note(held.with_rows(np.isfinite(flexible)), x, force, displacement)
     lost = not max(force, displacement) < NOTHING
-    said = _message(held, flexible, rigid), _slack(found.slack), spin_note(model.whole)
+    said = (
+        _message(held, flexible, rigid),
+        _slack(found.slack),
+        lifted_note(system, _on_elements(held, found)),
+        _curved(kinks_of(held, x, flexible).curved),
+        spin_note(model.whole),
+    )
     result = Linear(
         data=data,
         status=Status.UNSURE if lost else Status.COMPLETED,
@@ -267,14 +202,14 @@ def _nodal(system: System, loads: Loads, ends: NDArray[np.float64]) -> NDArray[n
     return np.asarray(load.reshape(-1) + body_and_continua_mass(system) @ np.tile(loads.gravity, len(load)))
 
 
-def _dataset(system: System, held: System, x: NDArray[np.float64], found: WithCables, known: _Known, G: Any) -> xr.Dataset:
+def _dataset(system: System, held: System, x: NDArray[np.float64], found: OneSided, known: _Known, G: Any) -> xr.Dataset:
     solved, (ends, load, _, continua_force, loads) = found.solved, known
     dim, members = system.dim, len(system.members)
     bars = held.row_kind == 0
     force, elongation, energy = (np.zeros(members) for _ in range(3))
     total = solved.force + found.tension
     force[held.row_member[bars]] = total[bars]
-    on_coordinates = -total[element_rows(held)] * system.measure_scale[system.force_element_measure]
+    on_coordinates = _on_elements(held, found)
     length = ends_of(system, x)[1]
     elongation[held.row_member[bars]] = solved.elongation[bars]
     energy[held.row_member[bars]] = found.stored[bars]
@@ -285,6 +220,7 @@ def _dataset(system: System, held: System, x: NDArray[np.float64], found: WithCa
         drive, coupling = _on_measures(held, total)
         acting = CarriedBy(force[None], reaction[None], np.zeros((1, 0, 3)))
         force = force + mean_tension_at_rest(system, loads, x, drive, coupling, acting, on_coordinates)
+    work = 0.5 * (load @ solved.displacement - solved.force @ found.given)
     stored = found.stored.sum() + (0.5 * solved.inner - continua_force) @ solved.displacement
     u = (x[system.q] - x[system.p]) / length[:, None]
     carried = np.stack([np.einsum("mc,mc->m", ends[:, 0], u), -np.einsum("mc,mc->m", ends[:, 1], u)], axis=1)
@@ -296,12 +232,12 @@ def _dataset(system: System, held: System, x: NDArray[np.float64], found: WithCa
         "member_force": variable(("member",), force, "N", "mean axial force, tension positive"),
         "end_force": variable(("member", "end"), force[:, None] + carried, "N", "axial tension at end A (first node), end B"),
         "joint_force": variable(("member", "end", "axis"), joint[..., :dim], "N", "force on the member from its joint"),
-        **reactions(system, (), x, reaction[supports]),
+        **reactions(system, (), x, reaction[supports], _on_measures(held, total)[1], on_coordinates),
         "elongation": variable(("member",), elongation, "m", "elongation by the load"),
         "strain": variable(("member",), elongation / length, "", "axial strain by the load"),
         "strain_energy": variable(("member",), energy, "J", "strain energy that the load adds"),
         "energy": variable((), np.asarray(stored), "J", "strain energy that the load adds: members, springs, elements"),
-        "work": variable((), np.asarray(0.5 * load @ solved.displacement), "J", "half the loads times their displacements"),
+        "work": variable((), np.asarray(work), "J", "half the loads times their displacements, and of settlements"),
     }
     coords: dict[str, Any] = {
         **part_axes(system),
@@ -326,8 +262,19 @@ def _on_measures(held: System, total: NDArray[np.float64]) -> tuple[NDArray[np.f
     return drive, -on[last - len(held.model.couplings) : last]
 
 
+def _on_elements(held: System, found: OneSided) -> NDArray[np.float64]:
+    """Forces on the coordinates of elements (force_elements,), N or N m."""
+    total = found.solved.force + found.tension
+    return np.asarray(-total[element_rows(held)] * held.measure_scale[held.force_element_measure])
+
+
+def _curved(names: tuple[str, ...]) -> str:
+    """The sentence on elements whose law is not a straight line."""
+    return f"Taken with their slope in the configuration, although their law is curved: {few(names, 8)}." if names else ""
+
+
 def _slack(names: tuple[str, ...]) -> str:
-    """The sentence on cables that carry nothing."""
+    """The sentence on cables, struts and stops that carry nothing."""
     return f"Slack, so that {'it carries' if len(names) == 1 else 'they carry'} nothing: {few(names, 8)}." if names else ""
 
 

@@ -17,7 +17,7 @@ from kinetruss.mechanics.loads import Loads, case_loads
 from kinetruss.model import LoadCase, Model, nearest
 from kinetruss.results import Column, Result, Status, provenance, variable
 from kinetruss.results.user_parts import part_axes, support_axes
-from kinetruss.results.wide_tables import element_axes
+from kinetruss.results.wide_tables import element_axes, force_units
 from kinetruss.statics.arc import Point, Road
 from kinetruss.statics.large_displacements import forces_of, must_begin
 from kinetruss.statics.saddle_point import LOOKED_AT, modes, rows_of
@@ -351,7 +351,9 @@ def _record(system: System, balance: Balance, scaled: Loads, road: Road, walk: _
         **part_axes(system),
         **support_axes(system),
         "drive": list(system.drives),
-    } | element_axes(system)
+        **element_axes(system),
+        **force_units(system, "drive", *element_axes(system))[1],
+    }
     message = end if good else f"At load factor {walk.points[-1].factor:.6g} no step is short enough to go on."
     if not walk.looked_at:
         message = f"{message} Too large to look for events.".strip()

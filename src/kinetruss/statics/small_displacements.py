@@ -18,6 +18,7 @@ from kinetruss.mechanics.loads import Loads, case_loads
 from kinetruss.mechanics.matrices import bar_laws
 from kinetruss.mechanics.mobility import beam_deformations, deformations, mobility_at
 from kinetruss.mechanics.tables import elements, pair_weights
+from kinetruss.statics.frame_motions import motions_of, reduced
 from kinetruss.statics.refinement import best_of, fill_order
 
 if TYPE_CHECKING:
@@ -143,30 +144,50 @@ def flexibility(held: System, x: NDArray[np.float64]) -> NDArray[np.float64]:
     return np.asarray(found)
 
 
-def solve(held: System, x: NDArray[np.float64], flexible: NDArray[np.float64], load: NDArray[np.float64]) -> Solved:
+def solve(
+    held: System,
+    x: NDArray[np.float64],
+    flexible: NDArray[np.float64],
+    load: NDArray[np.float64],
+    given: NDArray[np.float64] | None = None,
+) -> Solved:
     """Displacements and forces under nodal forces load (3 n,), N, at positions x (n, 3), with error bounds.
+
+    given (rows,) : elongations of inextensible rows that are prescribed, m.
 
     Raises
     ------
     InputError : a mechanism, named; inextensible bars whose forces are not unique.
     """
-    rows, (G, soft) = len(flexible), _with_beams(held, x)
-    only = _elements_only(held, x)
+    rows, (whole, soft) = len(flexible), _with_beams(held, x)
+    only, motions = _elements_only(held, x), motions_of(held, x)
     C = csr_array(only)[held.free][:, held.free]
     slack = np.isinf(flexible)
     f = np.concatenate([np.where(slack, 0.0, flexible), soft])
+    kept = np.ones(len(f), np.bool_)
+    if motions is not None:
+        kept[:rows], C = motions.kept, csr_array(motions.to.T @ C @ motions.to)
+    G, push_on = reduced(motions, whole, len(soft)), load[held.free] if motions is None else motions.to.T @ load[held.free]
     size = float(f.max(initial=0.0)) or 1.0 / (float(np.abs(C.data).max(initial=0.0)) or 1.0)
-    matrix = _saddle(G, f / size, np.append(slack, np.zeros(len(soft), np.bool_)), size * C)
-    push = float(np.abs(load[held.free]).max(initial=0.0)) or 1.0
-    b = np.concatenate([np.zeros(len(f)), load[held.free] / push])
-    parts = [slice(0, len(f)), slice(len(f), len(b))]
+    matrix = _saddle(G, f[kept] / size, np.append(slack, np.zeros(len(soft), np.bool_))[kept], size * C)
+    prescribed = np.zeros(rows) if given is None else given
+    push = max(float(np.abs(push_on).max(initial=0.0)), float(np.abs(prescribed).max(initial=0.0)) / size) or 1.0
+    b = np.concatenate([np.append(-prescribed / (push * size), np.zeros(len(soft)))[kept], push_on / push])
+    count = int(kept.sum())
+    parts = [slice(0, count), slice(count, len(b))]
     # elements may carry the load alone: the forces of bars are then 0 but for round-off
     found = best_of(matrix, b, parts, _order(held), 1.0 if held.continua is not None or only.nnz else 0.0)
     if not found.worst <= SURE:
         _explain(held, x, flexible)
-    force, displacement, inner = found.y[: len(f)] * push, np.zeros(held.x0.size), np.zeros(held.x0.size)
-    displacement[held.free] = -found.y[len(f) :] * push * size
-    elongation = np.where(slack, G[:rows] @ displacement[held.free], f[:rows] * force[:rows])
+    force, displacement, inner = np.zeros(len(f)), np.zeros(held.x0.size), np.zeros(held.x0.size)
+    force[kept] = found.y[:count] * push
+    moved = -found.y[count:] * push * size
+    displacement[held.free] = moved if motions is None else motions.to @ moved
+    if motions is not None:
+        left = np.zeros(held.x0.size)
+        left[held.free] = (load - only @ displacement)[held.free] - whole.T @ force
+        force[motions.frames.row] = motions.bar_forces(x, left)
+    elongation = np.where(slack, whole[:rows] @ displacement[held.free], f[:rows] * force[:rows] + prescribed)
     if held.continua is not None or only.nnz:
         inner = only @ displacement + _beam_rows(held, x).T @ force[rows:]
     return Solved(
@@ -206,9 +227,13 @@ def _saddle(G: Any, f: NDArray[np.float64], slack: NDArray[np.bool_], C: Any) ->
 @cached()
 def _order(held: System) -> NDArray[np.int64]:
     """Order of elimination of forces and displacements: that of the stiffness matrix, every force before its first node."""
-    G = _with_beams(held, held.x0)[0]
+    whole, soft = _with_beams(held, held.x0)
+    motions = motions_of(held, held.x0)
+    G, C = reduced(motions, whole, len(soft)), abs(_continuum(held, held.x0))
+    if motions is not None:
+        C = abs(motions.to).T @ C @ abs(motions.to)
     unit = csr_array((np.ones(G.nnz), G.indices, G.indptr), shape=G.shape)
-    place = np.argsort(fill_order(unit.T @ unit + abs(_continuum(held, held.x0))))
+    place = np.argsort(fill_order(unit.T @ unit + C))
     first = np.full(G.shape[0], -1.0)
     touched = np.diff(unit.indptr) > 0
     if touched.any():

@@ -198,7 +198,7 @@ def _forces(
     try:
         if not mobility.undriven and arrange(system).plan is not None:
             return at_rest(model, position), ""
-        if not soft and not (model.fixed or model.clamped):
+        if not soft and not (model.fixed or model.clamped or model.supports):
             return None, "No forces yet: nothing holds the drawing."
         if not soft:
             count = f"{mobility.undriven} mechanism{'s are' if mobility.undriven > 1 else ' is'} left"

@@ -91,9 +91,10 @@ class Places:
 
     @cached_property
     def supports(self) -> dict[str, list[int]]:
-        """Nodes by the way they are held: ``clamped``, ``held`` in all axes, ``guided`` in some."""
+        """Nodes by the way they are held: ``clamped``, ``held`` in all axes, ``guided`` in some; ``soft`` yields."""
         found: dict[str, list[int]] = {"clamped": [], "held": [], "guided": []}
         for one in self.scene.header["supports"]:
             whole = len(one["axes"]) == self.scene.header["dim"]
-            found["clamped" if one["clamped"] else "held" if whole else "guided"].append(one["node"])
+            kind = "soft" if one.get("soft") else "clamped" if one["clamped"] else "held" if whole else "guided"
+            found.setdefault(kind, []).append(one["node"])
         return found

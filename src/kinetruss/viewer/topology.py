@@ -16,6 +16,7 @@ from kinetruss.model import Active, Bar, CoordinateDrive, HingeDrive, Model, Pre
 from kinetruss.model.bodies import placed
 from kinetruss.model.bracing import CHORD
 from kinetruss.model.joints import GROUND
+from kinetruss.model.supports import axes_of_support, support_words
 from kinetruss.strength.beam_verdict import chords_of
 from kinetruss.strength.parts import parts_of
 
@@ -53,6 +54,23 @@ def beams_by_chord(whole: WholeModel) -> dict[str, Beam]:
     return {f"{name}{CHORD}": beam for name, beam in whole.beams.items()}
 
 
+def _supports(model: Model, index: dict[str, int], frames: set[str]) -> Iterator[dict[str, Any]]:
+    """Supported nodes: the global axes in which they are held, and whether their rotation is. Of supports that yield, have a
+    gap or are turned also what they hold in words, the directions that they hold, and whether one of these yields.
+    """
+    whole = model.whole
+    for node in dict.fromkeys([*whole.fixed, *model.supports]):
+        if node in frames or node not in index:
+            continue
+        found = {"node": index[node], "axes": whole.fixed.get(node, ""), "clamped": whole.clamped.get(node) == GROUND}
+        if (one := model.supports.get(node)) is not None and any(own.node == node for own in whole.inner.holdings):
+            axes = axes_of_support(model, node)
+            held = list(one.shifts) or [len(axes) - 1]
+            soft = any(own.node == node and own.table != "couplings" for own in whole.inner.holdings)
+            found |= {"words": support_words(one), "towards": [[*axes[k], 0.0][:3] for k in held], "soft": soft}
+        yield found
+
+
 def topology(model: Model) -> tuple[dict[str, Any], dict[str, NDArray[Any]]]:
     """Header fields and arrays of a model.
 
@@ -80,11 +98,7 @@ def topology(model: Model) -> tuple[dict[str, Any], dict[str, NDArray[Any]]]:
             for name, chords in links.items()
         ],
         "directors": [k for k, name in enumerate(whole.nodes) if name in frames],
-        "supports": [
-            {"node": index[node], "axes": axes, "clamped": model.clamped.get(node) == GROUND}
-            for node, axes in whole.fixed.items()
-            if node not in frames
-        ],
+        "supports": list(_supports(model, index, frames)),
         "drives": [
             _drive(name, drive, index, list(members), [one.ends for one in members.values()], links)
             for name, drive in model.all_drives.items()

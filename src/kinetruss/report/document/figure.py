@@ -132,7 +132,7 @@ def _names(places: Places) -> list[Label]:
 
 def _marks(places: Places) -> list[str]:
     """The marks of supports that a figure has."""
-    words = {"clamped": "squares clamped", "held": "triangles held", "guided": "circles guided"}
+    words = {"clamped": "squares clamped", "held": "triangles held", "guided": "circles guided", "soft": "diamonds on springs"}
     return [words[kind] for kind, nodes in places.supports.items() if nodes]
 
 

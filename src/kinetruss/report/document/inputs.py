@@ -15,6 +15,7 @@ from kinetruss.mechanics import compile
 from kinetruss.mechanics.matrices import mass_matrix
 from kinetruss.model import Active, Link, Model, Of, Record, Run, length_along
 from kinetruss.model.data import ELEMENT_FIELDS, FORCE_ELEMENTS
+from kinetruss.model.supports import support_words
 from kinetruss.report.tables import METHODS
 from kinetruss.units import EITHER, unit_of
 
@@ -77,6 +78,8 @@ def nodes_of(model: Model) -> list[Row]:
 def _support(model: Model, name: str) -> str:
     if name in model.clamped:
         return "clamped" if model.clamped[name] == "ground" else f"clamped to {model.clamped[name]}"
+    if name in model.supports:
+        return support_words(model.supports[name])
     return model.fixed.get(name, "")
 
 
@@ -268,7 +271,9 @@ def _structure_rows(model: Model) -> Iterator[tuple[str, str]]:
         yield "bodies", f"{len(model.bodies)}: {listed(model.bodies)}"
     yield "drives", listed(f"{name} ({drive.kind})" for name, drive in model.all_drives.items()) or "none"
     held = [f"{name} ({axes})" for name, axes in model.fixed.items() if name not in model.clamped]
-    yield "supports", listed([*held, *(f"{name} (clamped{_to(one)})" for name, one in model.clamped.items())]) or "none"
+    held += [f"{name} (clamped{_to(one)})" for name, one in model.clamped.items()]
+    held += [f"{name} ({support_words(one)})" for name, one in model.supports.items()]
+    yield "supports", listed(held) or "none"
     masses = [f"{name} {quantity(node.mass, 'kg')}" for name, node in model.nodes.items() if node.mass]
     if masses:
         yield "lumped masses", listed(masses)

@@ -41,7 +41,7 @@ PENS: dict[str, dict[str, Any]] = {
     "free": {"colors": QUIET, "linewidths": 0.7, "linestyles": (0, (1, 1.5))},
 }
 """Styles of members without a value, by kind."""
-PINNED = {"clamped": "s", "held": "^", "guided": "o"}
+PINNED = {"clamped": "s", "held": "^", "guided": "o", "soft": "D"}
 """Marks of supports."""
 
 
@@ -113,8 +113,8 @@ def _stand(ax: Any, figure: Drawing, one: Stand) -> None:
         ax.add_collection(LineCollection([one.lines[one.band[0]]], colors=ALARM, linewidths=3.2, capstyle="round"))
     ax.plot(*one.dots.T, "o", color=INK, markersize=1.1 * _thickness(ax, one))
     ax.plot(*one.motors.T, "o", color=DRIVEN, markersize=7, markerfacecolor="none", markeredgewidth=1.4)
-    for kind, marker in PINNED.items():
-        ax.plot(*one.supports[kind].T, marker, color=INK, markersize=5, markerfacecolor="white", markeredgewidth=0.8)
+    for kind, nodes in one.supports.items():
+        ax.plot(*nodes.T, PINNED[kind], color=INK, markersize=5, markerfacecolor="white", markeredgewidth=0.8)
     for start, end in one.arrows:
         pen = {"arrowstyle": "-|>", "color": LOAD, "linewidth": 1.0, "shrinkA": 0, "shrinkB": 0}
         ax.annotate("", end, start, arrowprops=pen)
