@@ -109,6 +109,8 @@ if TYPE_CHECKING:
         Measured as Measured,
         MemberCouple as MemberCouple,
         MemberLoad as MemberLoad,
+        MemberPointCouple as MemberPointCouple,
+        MemberPointForce as MemberPointForce,
         Membrane as Membrane,
         Mission as Mission,
         Model as Model,

@@ -54,10 +54,14 @@ if TYPE_CHECKING:
         BodyForce as BodyForce,
         History as History,
         LoadCase as LoadCase,
-        MemberCouple as MemberCouple,
-        MemberLoad as MemberLoad,
         NodalForce as NodalForce,
         Pressure as Pressure,
+    )
+    from kinetruss.model.loads_along import (
+        MemberCouple as MemberCouple,
+        MemberLoad as MemberLoad,
+        MemberPointCouple as MemberPointCouple,
+        MemberPointForce as MemberPointForce,
     )
     from kinetruss.model.members import (
         Active as Active,

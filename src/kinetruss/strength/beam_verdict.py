@@ -10,7 +10,7 @@ import numpy as np
 from kinetruss.display.ranks import place_of_largest
 from kinetruss.mechanics import System, cached, compile
 from kinetruss.results import Forces
-from kinetruss.strength.beam_stresses import beams, known_positions
+from kinetruss.strength.beam_stresses import beams, known_positions, loads_of, on_beams
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray
@@ -20,7 +20,8 @@ if TYPE_CHECKING:
 
 
 SECTIONS = 97
-"""Sections at which a beam is judged at least: a parabola is at most 1.1e-4 higher between them."""
+"""Sections at which a beam is judged at least, besides those where loads begin, end or act: a parabola is at most 1.1e-4 higher
+between them."""
 BEAM_QUANTITIES = ("tension", "compression", "bending", "stress")
 STABILITY = "not checked: a beam buckles with the whole structure, by an analysis of its own (statics.buckling)"
 UNKNOWN = "not checked: the positions are not those of a structure in balance, so beams have no forces (statics.equilibrium)"
@@ -51,7 +52,7 @@ def beam_histories(model: Model, forces: Forces, stations: int = SECTIONS) -> di
     if not all(shape) or not known_positions(forces):
         nothing = np.full(shape, np.nan)
         return dict.fromkeys(BEAM_QUANTITIES, (nothing, nothing))
-    found = beams(model, forces, stations=max(stations, SECTIONS))
+    found = beams(model, forces, stations=_stations(compile(model), forces.load_case, max(stations, SECTIONS)))
     xi, T = found["station"].values, found["section_T"].values
     M = np.linalg.norm(found["section_M"].values, axis=-1)
     along = dict(zip(BEAM_QUANTITIES, (T, -T, M, found["von_mises"].values), strict=True))
@@ -86,6 +87,15 @@ def beam_sections(model: Model, result: Forces | Result, stations: int) -> NDArr
     parts = [found[name].values for name in names if name in found]
     several = [one if one.ndim > parts[0].ndim else one[..., None] for one in parts]
     return np.asarray(np.concatenate(several, axis=-1)).reshape(shape)
+
+
+@cached()
+def _stations(system: System, case: str, count: int) -> NDArray[np.float64]:
+    """Sections at equal distances, and on both sides of the places where loads begin, end or act."""
+    cases = case if case in system.model.load_cases else None
+    places = {float(s) for name in loads_of(system, cases) for one in on_beams(system, name) for s in (one.begin, one.end)}
+    sides = [side for s in places for side in (s, min(1.0, np.nextafter(s, 2.0)))]
+    return np.unique(np.clip([*np.linspace(0.0, 1.0, count), *sides], 0.0, 1.0))
 
 
 def _largest(values: NDArray[np.float64], xi: NDArray[np.float64]) -> tuple[NDArray[np.float64], NDArray[np.float64]]:

@@ -312,8 +312,8 @@ def _members(system: System, gravity: tuple[float, ...], on: tuple[str, ...], pl
     acting = np.searchsorted([index[name] for name in on], np.arange(real + 1))
     orient, reference = orientation(system)
     clamped_ptr = np.searchsorted(system.clamped[:, 0], np.arange(2 * real + 1))
-    spread = np.array([POINT if one is None else FORCE if one.couple is None else COUPLE for one in places], np.int64)
-    along = np.array([(0.0,) * 4 if one is None else (one.begin, one.end, *(one.couple or (0.0, 0.0))) for one in places])
+    spread = np.array([POINT if one is None else COUPLE if one.couple else FORCE for one in places], np.int64)
+    along = np.array([(0.0,) * 4 if one is None else (one.begin, one.end, *(one.ratio or (0.0, 0.0))) for one in places])
     along = along.reshape(-1, 4)
     return Members.of(
         {
