@@ -332,7 +332,7 @@ def instant_of(model: Model, motion: Motion, forces: Forces, time: float | None)
     still = bool(forces.whole.attrs.get("at_rest", 0))
     x, v, a = (np.array(here[name].values, float) for name in ("position", "velocity", "acceleration"))
     v, a = (0 * v, 0 * a) if still else (v, a)
-    case = forces.load_case if forces.load_case in model.load_cases else None
+    case = forces.load_case if forces.load_case in model.cases else None
     loads = case_loads(system, times[k : k + 1], case, rotating=True)
     given = loads.at(np.pad(x, ((0, 0), (0, 3 - system.dim)))[None])
     loads = _turned(given)

@@ -48,12 +48,19 @@ if TYPE_CHECKING:
         TableInput as TableInput,
     )
     from kinetruss.model.joints import GROUND as GROUND, Bearing as Bearing, Hinge as Hinge, Joint as Joint
+    from kinetruss.model.load_cases import (
+        Asce7 as Asce7,
+        Combination as Combination,
+        En1990 as En1990,
+        LoadCase as LoadCase,
+        acting_cases as acting_cases,
+        sets_of as sets_of,
+    )
     from kinetruss.model.load_checks import loads_along_beams as loads_along_beams
     from kinetruss.model.loads import (
         BodyCouple as BodyCouple,
         BodyForce as BodyForce,
         History as History,
-        LoadCase as LoadCase,
         NodalForce as NodalForce,
         Pressure as Pressure,
     )

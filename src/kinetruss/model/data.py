@@ -28,7 +28,8 @@ from kinetruss.model.drivetrain import Amplifier, Gear, LeadScrew, Motor
 from kinetruss.model.gauges import Gauge, GaugeZero
 from kinetruss.model.hubs import Hub
 from kinetruss.model.joints import GROUND, Bearing, BodyOrGroundName, Joint
-from kinetruss.model.loads import History, Load, LoadCase
+from kinetruss.model.load_cases import CombinationTable, LoadCase, cases_of
+from kinetruss.model.loads import History, Load
 from kinetruss.model.members import Active, Bar, Brace, Node
 from kinetruss.model.record import GravityVector, Name, Number, Record, VelocityVector
 from kinetruss.model.references import NodeName
@@ -157,6 +158,8 @@ class ModelData(Record):
     """Forces, pressures and couples by name: at nodes, on bodies, constant or along time."""
     load_cases: Table[Name, LoadCase] = ReadOnly()
     """Loads and gravity that act together, by name; by default all loads are one case."""
+    combinations: CombinationTable = ReadOnly()
+    """Load cases that act together: factors by name, or all combinations of a standard, e.g. {kind: en1990}."""
     conditions: Table[Name, Condition] = ReadOnly()
     """States of missions by name: gravity, base motion, temperature, locked or released members."""
     support_motion: Table[NodeName, History] = ReadOnly()
@@ -192,6 +195,11 @@ class ModelData(Record):
     def dim(self) -> int:
         """2 or 3."""
         return len(next(iter(self.nodes.values())).at)
+
+    @cached_property
+    def cases(self) -> dict[str, LoadCase]:
+        """All load cases by name: its own, then the combinations of these."""
+        return ReadOnly(cases_of(self))
 
     @cached_property
     def members(self) -> dict[str, Bar | Active]:

@@ -1,4 +1,4 @@
-"""Loads on nodes and bodies, load cases, moving supports."""
+"""Loads on nodes and bodies, moving supports."""
 
 from __future__ import annotations
 
@@ -11,9 +11,7 @@ from kinetruss.model.loads_along import MemberCouple, MemberLoad, MemberPointCou
 from kinetruss.model.record import (
     Flag,
     ForceVector,
-    GravityVector,
     Name,
-    Number,
     Of,
     Point,
     PositiveLength,
@@ -21,8 +19,7 @@ from kinetruss.model.record import (
     Series,
     Time,
 )
-from kinetruss.model.references import LoadName, NodeName
-from kinetruss.model.table import Table
+from kinetruss.model.references import NodeName
 
 
 class NodalForce(InTime):
@@ -41,17 +38,6 @@ class NodalForce(InTime):
     force: ForceVector | None = None
     times: Times = None
     forces: Annotated[tuple[ForceVector, ...], Series] | None = None
-
-
-class LoadCase(Record):
-    """Which loads act.
-
-    loads : name of a load -> factor; all loads with factor 1 where not given.
-    gravity : m/s^2, if it differs from that of the model.
-    """
-
-    loads: Table[LoadName, Number] | None = None
-    gravity: GravityVector | None = None
 
 
 class History(Record):

@@ -110,7 +110,7 @@ def _no_motion(result: Any) -> dict[str, Any]:
 
 def _case_of(model: Model, result: Any) -> str | None:
     name = getattr(result, "load_case", None) or (result.attrs.get("load_case") if isinstance(result, Result) else None)
-    return name if name in model.load_cases else None
+    return name if name in model.cases else None
 
 
 def _gravity(system: System, result: Any, case: str | None, own: bool) -> NDArray[np.float64]:
@@ -150,7 +150,7 @@ def _along(
 
 def loads_of(system: System, case: str | None) -> tuple[str, ...]:
     """Names of the loads of a case; of all if it is None."""
-    chosen = system.model.load_cases[case].loads if case is not None else None
+    chosen = system.model.cases[case].loads if case is not None else None
     return tuple(system.model.loads if chosen is None else chosen)
 
 

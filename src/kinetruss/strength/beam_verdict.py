@@ -92,7 +92,7 @@ def beam_sections(model: Model, result: Forces | Result, stations: int) -> NDArr
 @cached()
 def _stations(system: System, case: str, count: int) -> NDArray[np.float64]:
     """Sections at equal distances, and on both sides of the places where loads begin, end or act."""
-    cases = case if case in system.model.load_cases else None
+    cases = case if case in system.model.cases else None
     places = {float(s) for name in loads_of(system, cases) for one in on_beams(system, name) for s in (one.begin, one.end)}
     sides = [side for s in places for side in (s, min(1.0, np.nextafter(s, 2.0)))]
     return np.unique(np.clip([*np.linspace(0.0, 1.0, count), *sides], 0.0, 1.0))

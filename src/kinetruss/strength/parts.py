@@ -203,7 +203,7 @@ def _passed(model: Model, forces: Forces, x: NDArray[np.float64]) -> Iterator[tu
     """Arm, member that is twisted from its other end (or empty), end of the member, couple (times, 3) of it on the hub."""
     arrays, twisted = forces.arrays, set[str]()
     if couples := _couples(model):
-        case = forces.load_case if forces.load_case in model.load_cases else None
+        case = forces.load_case if forces.load_case in model.cases else None
         given = case_loads(compile(model), arrays["time"].values, case, rotating=True).amounts
         by_end: dict[tuple[str, int], str] = {}
         for name, load in couples.items():

@@ -199,7 +199,7 @@ def _forces(
     from kinetruss.strength.verdict import strength_histories, worst_of
 
     data = forces.whole
-    case = forces.load_case if forces.load_case in model.load_cases else None
+    case = forces.load_case if forces.load_case in model.cases else None
     when = load_times(forces, data["time"].values)
     loads, load_force = loads_of(model, when, case, forces.motion.whole["position"].values)
     names = ("reaction", "drive_force", "energy", *(() if rounded else ("joint_force",)))
@@ -239,7 +239,7 @@ def actions_at_rest(model: Model, rest: Result) -> tuple[list[dict[str, Any]], d
     x = np.zeros((1, *system.x0.shape))
     x[:, :, : model.dim] = data["position"].values
     case = rest.provenance.get("load_case")
-    loads = case_loads(system, load_times(rest, np.zeros(1)), case if case in model.load_cases else None).at(x)
+    loads = case_loads(system, load_times(rest, np.zeros(1)), case if case in model.cases else None).at(x)
     coupling = np.full((1, len(system.model.couplings)), np.nan)
     drive = data["drive_force"].values[None] if "drive_force" in data else np.full((1, len(system.drives)), np.nan)
     still = np.zeros((1, system.x0.size))

@@ -152,7 +152,7 @@ def _caption(run: RunResult, case: str | None, k: int, worst: Row | None, over: 
         pressing = ", of pressure some of them and without values" * any(one.get("pressure") for one in header["loads"])
         words.append(f"arrows: forces on nodes{pressing}")
     there = {one["name"] for one in header["loads"]}
-    chosen = None if case not in model.load_cases else model.load_cases[case].loads
+    chosen = None if case not in model.cases else model.cases[case].loads
     acting = model.loads if chosen is None else [name for name, factor in chosen.items() if factor]
     others = [name for name in acting if name not in there and not isinstance(model.loads[name], Pressure)]
     if others:

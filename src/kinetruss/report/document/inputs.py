@@ -13,7 +13,7 @@ from kinetruss.display import Table, counted, quantity
 from kinetruss.display.tables import measured, together, words
 from kinetruss.mechanics import compile
 from kinetruss.mechanics.matrices import mass_matrix
-from kinetruss.model import Active, Model, Of, Record, Run
+from kinetruss.model import Active, Model, Of, Record, Run, sets_of
 from kinetruss.model.data import ELEMENT_FIELDS, FORCE_ELEMENTS
 from kinetruss.report.tables import METHODS
 from kinetruss.units import EITHER, unit_of
@@ -206,10 +206,20 @@ def inputs(run: RunResult, name: str = "") -> list[Table]:
             (f"{one.capitalize()}{' on coordinates' * (kind in FORCE_ELEMENTS)} (SI)", "name", _named(getattr(model, one)))
             for kind, one in ELEMENT_FIELDS.items()
         ),
-        ("Loads and load cases", "name", [*_named(model.loads), *_named(model.load_cases, "load case ")]),
+        (
+            "Loads and load cases",
+            "name",
+            [*_named(model.loads), *_named(model.load_cases, "load case "), *_named(model.combinations, "combination ")],
+        ),
         ("Tasks of drives and events", "name", [*_named(run.definition.tasks), *_named(run.definition.events, "event ")]),
     )
     return [*found, *(Table((head, "what"), rows, caption) for caption, head, rows in lists)]
+
+
+def _combinations(model: Model) -> Iterator[tuple[str, str]]:
+    """The combinations that standards make, with their clauses."""
+    for names in sets_of(model).values():
+        yield from ((name, model.cases[name].title) for name in names if name not in model.combinations)
 
 
 def _run_rows(run: RunResult, name: str) -> Iterator[tuple[str, str]]:
