@@ -4,6 +4,7 @@ import numpy as np
 import pytest
 from hypothesis import given, settings, strategies as st
 
+import action_models
 import kinetruss as kt
 from kinetruss.mechanics import compile
 from kinetruss.mechanics.loads import case_loads, unit_loads_of
@@ -409,3 +410,94 @@ def test_a_load_on_a_member_of_no_length():
     bar = {"nodes": {"A": (0, 0), "B": (0, 0)}, "fixed": ["A"], "bars": {"bar": ("A", "B")}}
     with pytest.raises(kt.ModelError, match="bars.bar.ends: has zero length"):
         kt.check(kt.Model(**bar, loads={"q": kt.MemberPointForce(member="bar", force=(0, 1), at="50 %")}, **RODS))
+
+
+# Every analysis.
+
+
+METHODS = [
+    kt.Taylor(), kt.DOP853(rtol=1e-11, atol=1e-12), kt.Radau(rtol=1e-10, atol=1e-11), kt.GeneralizedAlpha(step=2e-4),
+    kt.EnergyMomentum(step=2e-4), kt.Rattle(step=2e-4),
+]  # fmt: skip
+
+
+@pytest.mark.parametrize("load", ["place", "snow", "member"])
+def test_all_methods_of_simulation_agree(load):
+    """A pendulum with a force at a place of it, in global axes or its own, and with snow."""
+    loads = {
+        "place": kt.MemberPointForce(member="bar", times=(0, 1), forces=((0, -30), (20, 5)), at="30 %"),
+        "snow": kt.MemberLoad(member="bar", force=(0, -30.0), per="projection"),
+        "member": kt.MemberPointForce(member="bar", force=(3.0, -20.0), at=0.7, axes="member"),
+    }
+    model = kt.Model(
+        nodes={"A": (0, 0), "B": (1, 0)}, fixed=["A"], bars={"bar": ("A", "B")}, gravity=(0, -9.81), loads={"q": loads[load]},
+        section=kt.Rod(diameter=0.02), material=kt.Material(E=200e9, density=7800.0),
+    )  # fmt: skip
+    ends = []
+    for method in METHODS:
+        if load != "place" and isinstance(method, kt.Taylor):
+            continue  # which has the series of constant directions
+        ends.append(kt.dynamics.simulate(model, 0.3, samples=3, method=method).motion.position.values[-1])
+    for one in ends[1:]:
+        np.testing.assert_allclose(one, ends[0], atol=2e-6)
+
+
+@pytest.mark.parametrize("way", ["loaded_along", "telescope_under_a_load"])
+def test_equations_of_motion_and_free_bodies(way):
+    """The labelled equations have the forces of inverse dynamics as their only solution; free bodies are in balance."""
+    rng = np.random.default_rng(5)
+    model = getattr(action_models, way)(rng)
+    forces = action_models.moved(model, rng, samples=3)
+    found = kt.dynamics.newton_euler(model, forces.motion, forces, time=0.2)
+    largest = np.abs(found.product).max()
+    np.testing.assert_allclose(found.matrix @ found.product, found.right, atol=1e-9 * largest)
+    np.testing.assert_allclose(found.solution, found.product, atol=1e-7 * largest)
+    for member in model.members:
+        body = kt.dynamics.free_body(model, forces.motion, forces, member=member, time=0.2)
+        assert body.residual < 1e-9 * body.largest
+
+
+def test_small_motions_about_a_place_have_the_stiffness_of_the_load():
+    """A pendulum held by a force in its own axes does not feel it turn; one in global axes gives it the stiffness P a."""
+    a, P = 0.4, 25.0
+    swing = []
+    for axes in ("global", "member"):
+        push = (0, -P) if axes == "global" else (P, 0.0)
+        model = kt.Model(
+            nodes={"A": (0, 0), "B": (0, -1)}, fixed=["A"], bars={"bar": ("A", "B")},
+            loads={"P": kt.MemberPointForce(member="bar", force=push, at=a, axes=axes)},
+            section=kt.Rod(diameter=0.02), material=kt.Material(E=200e9, density=7800.0),
+        )  # fmt: skip
+        swing.append(kt.dynamics.linearise(model).data.stiffness.values.item())
+    np.testing.assert_allclose(swing, [P * a, 0.0], atol=1e-9)
+
+
+def test_loads_at_places_at_poses_and_in_a_run(tmp_path):
+    """A run reports the load, draws it along its member, and its verdict has the bending."""
+    strong = kt.Material(E=200e9, density=0.0, yield_strength=235e6)
+    loads = {
+        "P": kt.MemberPointForce(member="bar", force=(0, -900.0), at="25 %"),
+        "q": kt.MemberLoad(member="bar", force=(0, -50.0), per="projection"),
+    }
+    model = supported(loads["P"], 0.3, runs={"rest": kt.Run(analysis="statics.linear")}).with_(loads=loads, material=strong)
+    block = kt.run(model, "rest")
+    used = next(row for row in block.verdict.table() if (row.part, row.rule) == ("bar", "yield"))
+    bending = 900 * np.cos(0.3) * 0.5 * 1.5 / L * 32 / (np.pi * 0.02**3)
+    assert used.value > bending
+    np.testing.assert_allclose(used.position, 0.5, atol=1e-6)
+    scene = kt.viewer.scene(block)
+    drawn = {one["name"]: one for one in scene.header["loads"] if one.get("words", True)}
+    assert set(drawn) == {"P", "q"}
+    forces = {name: np.zeros(2) for name in loads}
+    for one, force in zip(scene.header["loads"], scene.arrays["load_force"][0], strict=True):
+        forces[one["name"]] += force
+        assert one["member"] == 0
+    np.testing.assert_allclose(forces["P"], [0, -900], atol=1e-9)
+    np.testing.assert_allclose(forces["q"], [0, -50 * L * np.cos(0.3)], atol=1e-9)
+    (p, wp), (q, wq) = drawn["P"]["at"]
+    assert (p, q) == (0, 1)
+    np.testing.assert_allclose([wp, wq], [0.75, 0.25])
+    kt.report.write_page(block, tmp_path / "report.html")
+    page = (tmp_path / "report.html").read_text(encoding="utf-8")
+    for words in ("50 N/m", "900 N", "25 %", "along members parts of the whole"):
+        assert words in page.replace("\N{NO-BREAK SPACE}", " "), words

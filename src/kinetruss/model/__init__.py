@@ -58,6 +58,7 @@ if TYPE_CHECKING:
     )
     from kinetruss.model.load_checks import loads_along_beams as loads_along_beams
     from kinetruss.model.loads import (
+        ALONG as ALONG,
         BodyCouple as BodyCouple,
         BodyForce as BodyForce,
         History as History,
