@@ -28,7 +28,7 @@ from kinetruss.model.drivetrain import Amplifier, Gear, LeadScrew, Motor
 from kinetruss.model.gauges import Gauge, GaugeZero
 from kinetruss.model.hubs import Hub
 from kinetruss.model.joints import GROUND, Bearing, BodyOrGroundName, Joint
-from kinetruss.model.load_cases import CombinationTable, LoadCase, cases_of
+from kinetruss.model.load_cases import Combinations, LoadCase, cases_of, of_one_code
 from kinetruss.model.loads import History, Load
 from kinetruss.model.members import Active, Bar, Brace, Node
 from kinetruss.model.record import GravityVector, Name, Number, Record, VelocityVector
@@ -158,7 +158,7 @@ class ModelData(Record):
     """Forces, pressures and couples by name: at nodes, on bodies, constant or along time."""
     load_cases: Table[Name, LoadCase] = ReadOnly()
     """Loads and gravity that act together, by name; by default all loads are one case."""
-    combinations: CombinationTable = ReadOnly()
+    combinations: Annotated[Table[Name, Combinations], BeforeValidator(of_one_code)] = ReadOnly()
     """Load cases that act together: factors by name, or all combinations of a standard, e.g. {kind: en1990}."""
     conditions: Table[Name, Condition] = ReadOnly()
     """States of missions by name: gravity, base motion, temperature, locked or released members."""

@@ -155,12 +155,9 @@ Combinations = Annotated[
 ]
 
 
-def _one(value: Any) -> Any:
-    """The combinations of one standard, without a name of their own."""
+def of_one_code(value: Any) -> Any:
+    """The combinations of one standard, without a name of their own, as a table."""
     return {value["kind"]: value} if isinstance(value, dict) and isinstance(value.get("kind"), str) else value
-
-
-CombinationTable = Annotated[Table[Name, Combinations], BeforeValidator(_one)]
 
 
 # What they consist of.

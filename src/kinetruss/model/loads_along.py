@@ -6,7 +6,8 @@ import math
 from collections.abc import Iterator
 from typing import TYPE_CHECKING, Annotated, Any, Literal, Self
 
-from pydantic import BeforeValidator, Field, WithJsonSchema, model_validator
+from pydantic import Field, model_validator
+from pydantic_core import core_schema
 
 from kinetruss.errors import Fault, shown
 from kinetruss.model.in_time import InTime, MomentOf, Times, amounts_of, moment_faults, vector_faults
@@ -26,8 +27,20 @@ def carrier(model: ModelData, name: str) -> tuple[str, Any] | None:
     return next(((table, one) for table in CARRIERS if (one := getattr(model, table).get(name)) is not None), None)
 
 
+class PlaceOf:
+    """Annotation of a place along a member: a length, or a share in percent, which stays text."""
+
+    quantity = "length"
+
+    def __get_pydantic_core_schema__(self, source: Any, handler: Any) -> core_schema.CoreSchema:
+        return core_schema.no_info_plain_validator_function(_place)
+
+    def __get_pydantic_json_schema__(self, schema: Any, handler: Any) -> dict[str, Any]:
+        what = "distance from the first end: a number in m, text with a unit, or a share of the length, e.g. 50 %"
+        return {"anyOf": [{"type": "number"}, {"type": "string"}], "description": what, "x-unit": "m"}
+
+
 def _place(value: Any) -> float | str:
-    """A length, or a share in percent as text."""
     if isinstance(value, str) and value.rstrip().endswith("%"):
         number = value.rstrip()[:-1].strip()
         if not NUMBER.fullmatch(number) or not 0.0 <= float(number) <= 100.0:
@@ -39,17 +52,7 @@ def _place(value: Any) -> float | str:
     return float(found)
 
 
-Place = Annotated[
-    float | str,
-    BeforeValidator(_place),
-    WithJsonSchema(
-        {
-            "anyOf": [{"type": "number"}, {"type": "string"}],
-            "description": "distance from the first end: a number in m, text with a unit, or a share of the length, e.g. 50 %",
-            "x-unit": "m",
-        }
-    ),
-]
+Place = Annotated[float | str, PlaceOf()]
 
 
 def fraction(place: Any, length: Any) -> Any:

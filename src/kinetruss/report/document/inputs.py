@@ -15,6 +15,8 @@ from kinetruss.mechanics import compile
 from kinetruss.mechanics.matrices import mass_matrix
 from kinetruss.model import Active, Model, Of, Record, Run, sets_of
 from kinetruss.model.data import ELEMENT_FIELDS, FORCE_ELEMENTS
+from kinetruss.model.in_time import MomentOf
+from kinetruss.model.loads_along import PlaceOf
 from kinetruss.report.tables import METHODS
 from kinetruss.units import EITHER, unit_of
 
@@ -206,20 +208,19 @@ def inputs(run: RunResult, name: str = "") -> list[Table]:
             (f"{one.capitalize()}{' on coordinates' * (kind in FORCE_ELEMENTS)} (SI)", "name", _named(getattr(model, one)))
             for kind, one in ELEMENT_FIELDS.items()
         ),
-        (
-            "Loads and load cases",
-            "name",
-            [*_named(model.loads), *_named(model.load_cases, "load case "), *_named(model.combinations, "combination ")],
-        ),
+        ("Loads and load cases", "name", [*_named(model.loads), *_named(model.load_cases, "load case ")]),
+        ("Combinations of load cases", "name", [*_combinations(model)]),
         ("Tasks of drives and events", "name", [*_named(run.definition.tasks), *_named(run.definition.events, "event ")]),
     )
     return [*found, *(Table((head, "what"), rows, caption) for caption, head, rows in lists)]
 
 
 def _combinations(model: Model) -> Iterator[tuple[str, str]]:
-    """The combinations that standards make, with their clauses."""
-    for names in sets_of(model).values():
-        yield from ((name, model.cases[name].title) for name in names if name not in model.combinations)
+    """Combinations and the factors of their cases; those that standards make, with their clauses."""
+    for one, names in sets_of(model).items():
+        if names != (one,):
+            yield one, worded(model.combinations[one])
+        yield from ((name, model.cases[name].title) for name in names)
 
 
 def _run_rows(run: RunResult, name: str) -> Iterator[tuple[str, str]]:
@@ -362,7 +363,7 @@ def _spaced(name: str) -> str:
 def _unit(metadata: Iterable[Any], annotation: Any) -> str:
     """The unit of a field, or of the numbers in it."""
     for rule in metadata:
-        if isinstance(rule, Of):
+        if isinstance(rule, (Of, MomentOf, PlaceOf)):
             # what a trajectory moves or a spring holds may be a length or an angle
             return "" if rule.quantity in EITHER else unit_of(rule.quantity)
     return next((found for one in get_args(annotation) if (found := _unit(getattr(one, "__metadata__", ()), one))), "")
