@@ -295,3 +295,27 @@ def test_faults_of_records():
     own = {"A": (0, 0), "B": (2, 0), "C": kt.Node(at=(1, 1), mass=2.0, gravity=(0, -1))}
     with pytest.raises(kt.ModelError, match=r"nodes with a gravity of their own \(C\)"):
         kt.check(truss(EUROPE, {"uls": {"G": 1.35}}).with_(nodes=own))
+
+
+def test_missions_take_all_combinations():
+    """A crank that turns under all combinations: one pair each, and the verdict names that of the largest forces."""
+    loads = {"dead": kt.NodalForce(node="B", force=(0, -300.0)), "wind": kt.NodalForce(node="B", force=(400.0, 0))}
+    cases = {"G": kt.LoadCase(loads={"dead": 1}, category="permanent"), "W": kt.LoadCase(loads={"wind": 1}, category="wind")}
+    turn = kt.ConstantRate(rates={"motor": 1.0}, duration=1.0)
+    model = kt.Model(
+        nodes={"A": (0, 0), "B": (1, 0)}, fixed=["A"], bars={"bar": ("A", "B")}, drives={"motor": kt.AngleDrive("bar")},
+        section=kt.Rod(diameter=0.03), material=STEEL, loads=loads, load_cases=cases, combinations={"uls": kt.En1990()},
+        runs={
+            "turn": kt.Run(trajectory=turn, samples=5),
+            "all": kt.Run(analysis="mission", motions=["turn"], load_cases=["uls"]),
+        },
+    )  # fmt: skip
+    found = kt.run(model, "all")
+    assert [str(one) for one in found.pairs["load_case"].values] == list(sets_of(model)["uls"])
+    single = kt.run(model, "turn")
+    assert set(single.forces) == set(sets_of(model)["uls"])
+    assert found.verdict.table()[0].utilisation == pytest.approx(single.verdict.table()[0].utilisation, rel=1e-9)
+    assert single.verdict.table()[0].load_case == "uls.W.1.35G+1.5W"
+    assert "uls.W.1.35G+1.5W" in found.verdict.table()[0].load_case
+    for one in (found, single):
+        assert "uls.W.1.35G+1.5W" in one.finding.sentence
