@@ -61,7 +61,7 @@ class History(Record):
 # Loads on bodies: a force at a point, a couple, a pressure; constant or as tables in time.
 
 _Stress = Annotated[float, Of("stress")]
-_Moment = Annotated[Any, MomentOf("torque")]
+Moment = Annotated[Any, MomentOf("torque")]
 
 
 class BodyForce(InTime):
@@ -101,9 +101,9 @@ class BodyCouple(InTime):
 
     amount, amounts = "moment", "moments"
     body: Name
-    moment: _Moment | None = None
+    moment: Moment | None = None
     times: Times = None
-    moments: Annotated[tuple[_Moment, ...], Series] | None = None
+    moments: Annotated[tuple[Moment, ...], Series] | None = None
     follows: Flag = False
     member: Name | None = None
 

@@ -77,8 +77,8 @@ class AlongMember(BetweenEnds):
 
 
 LineLoad = Annotated[tuple[Annotated[float, Of("force per length")], ...], Field(min_length=2, max_length=3), Series]
-_Couple = Annotated[Any, MomentOf("torque")]
-_LineCouple = Annotated[Any, MomentOf("moment per length")]
+Couple = Annotated[Any, MomentOf("torque")]
+LineCouple = Annotated[Any, MomentOf("moment per length")]
 
 
 class MemberLoad(AlongMember):
@@ -127,8 +127,8 @@ class MemberCouple(AlongMember):
     """
 
     amount, amounts = "moment", "moments"
-    moment: _LineCouple | None = None
-    moments: Annotated[tuple[_LineCouple, ...], Series] | None = None
+    moment: LineCouple | None = None
+    moments: Annotated[tuple[LineCouple, ...], Series] | None = None
 
     @model_validator(mode="after")
     def _whole(self) -> Self:
@@ -171,8 +171,8 @@ class MemberPointCouple(BetweenEnds):
     """
 
     amount, amounts = "moment", "moments"
-    moment: _Couple | None = None
-    moments: Annotated[tuple[_Couple, ...], Series] | None = None
+    moment: Couple | None = None
+    moments: Annotated[tuple[Couple, ...], Series] | None = None
     at: Place
 
 
