@@ -60,6 +60,20 @@ def loaded(rng):
     return crank(rng, drives={"motor": kt.AngleDrive("crank")}, loads=loads)
 
 
+def loaded_along(rng):
+    """Forces and couples along parts of a bar and at places of it."""
+    low, high = np.sort(rng.uniform(0.0, 0.5, 2))
+    span = {"member": "crank", "start": low, "end": high + 0.05}
+    loads = {
+        "along": kt.MemberLoad(**span, force=tuple(20 * rng.normal(size=2)), shape=(1, rng.normal()), axes="member"),
+        "snow": kt.MemberLoad(member="crank", force=(0, -9.0), start="40 %", per="projection"),
+        "drag": kt.MemberCouple(**span, moment=rng.normal(), shape=(1, 0.3)),
+        "push": kt.MemberPointForce(member="crank", force=tuple(8 * rng.normal(size=2)), at="36 %"),
+        "twist": kt.MemberPointCouple(member="crank", moment=rng.normal(), at="61 %"),
+    }
+    return crank(rng, drives={"motor": kt.AngleDrive("crank")}, loads=loads)
+
+
 def polar(rng):
     """Length and angle of one bar are driven."""
     bars = {"crank": bar(rng, "O", "A", kind="driven", mass=1.5)}
@@ -81,6 +95,15 @@ def loaded_telescope(rng):
         "tube": leg.tube.with_(masses=[{"at": 0.7 * place, "mass": rng.uniform(0.2, 1)} for place in at]),
     }
     return model.with_(active={"leg": leg.with_(**rods)})
+
+
+def telescope_under_a_load(rng):
+    """The same with forces along the whole of it."""
+    loads = {
+        "along": kt.MemberLoad(member="leg", force=tuple(9 * rng.normal(size=2)), shape=(1, 0.2), axes="member"),
+        "ice": kt.MemberLoad(member="leg", force=(1.0, -9.0)),
+    }
+    return loaded_telescope(rng).with_(loads=loads)
 
 
 def chain(rng):

@@ -235,7 +235,19 @@ def compare(found, at, section, stress) -> None:
 
 @pytest.mark.parametrize("lean", [False, True])
 @pytest.mark.parametrize(
-    "way", ["by_hinge", "scissor_by_a_node", "clamped", "loaded", "screw", "telescope", "loaded_telescope", "elbow"]
+    "way",
+    [
+        "by_hinge",
+        "scissor_by_a_node",
+        "clamped",
+        "loaded",
+        "screw",
+        "telescope",
+        "loaded_telescope",
+        "elbow",
+        "loaded_along",
+        "telescope_under_a_load",
+    ],
 )
 def test_diagrams_of_bars_that_are_driven_pinned_and_loaded(show, tmp_path, way, lean):
     """Where couples, pins, loads and bodies act on bars the page shows what strength has; also with joint forces left out."""

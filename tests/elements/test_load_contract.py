@@ -32,6 +32,7 @@ BEAMS = [
     kt.Model(nodes={"A": (0, 0, 0)[:dim], "B": (1, 0.2, 0.5)[:dim]}, clamped=["A"], beams={"arm": ("A", "B")}, **RODS)
     for dim in (2, 3)
 ]
+VGT = kt.library.vgt.triangular(payload_mass=10.0)
 
 MODELS = {
     kt.NodalForce: [(PLANE, {"node": "B", "force": (3, -2)}), (SPACE, {"node": "B", "force": (3, -2, 1)})],
@@ -52,8 +53,30 @@ MODELS = {
         (SPACE, {"member": "AE", "force": (3, -2, 1), "axes": "member", "end": 1.0}),
         (BEAMS[0], {"member": "arm", "force": (3, -2), "shape": (0, 1)}),
         (BEAMS[1], {"member": "arm", "force": (3, -2, 1), "axes": "member"}),
+        (PLANE, {"member": "BD", "force": (3, -2), "start": "10 %", "per": "projection"}),
+        (SPACE, {"member": "AE", "force": (3, -2, 1), "per": "projection"}),
+        (BEAMS[1], {"member": "arm", "force": (3, -2, 1), "per": "projection", "end": 0.5}),
+        (VGT, {"member": "actuator", "force": (3, -2), "shape": (1, 0.2)}),
+        (VGT, {"member": "actuator", "force": (3, -2), "axes": "member"}),
+        (VGT, {"member": "actuator", "force": (3, -2), "per": "projection"}),
     ],
-    kt.MemberCouple: [(PLANE, {"member": "BD", "moment": 3.0, "shape": (2, 1), "start": 0.2})],
+    kt.MemberCouple: [
+        (PLANE, {"member": "BD", "moment": 3.0, "shape": (2, 1), "start": 0.2}),
+        (BEAMS[0], {"member": "arm", "moment": 3.0, "shape": (2, 1), "start": 0.2}),
+        (BEAMS[1], {"member": "arm", "moment": (3, -2, 1)}),
+        (BEAMS[1], {"member": "arm", "moment": (3, -2, 1), "axes": "member", "end": "70 %"}),
+    ],
+    kt.MemberPointForce: [
+        (PLANE, {"member": "BD", "force": (3, -2), "at": 0.3}),
+        (SPACE, {"member": "AE", "force": (3, -2, 1), "axes": "member", "at": "20 %"}),
+        (BEAMS[0], {"member": "arm", "force": (3, -2), "at": 0.3, "axes": "member"}),
+        (BEAMS[1], {"member": "arm", "force": (3, -2, 1), "at": 0.3}),
+    ],
+    kt.MemberPointCouple: [
+        (PLANE, {"member": "BD", "moment": 3.0, "at": 0.3}),
+        (BEAMS[0], {"member": "arm", "moment": 3.0, "at": 0.3}),
+        (BEAMS[1], {"member": "arm", "moment": (3, -2, 1), "at": "20 %"}),
+    ],
 }
 
 
@@ -71,7 +94,11 @@ def case(request):
     system = compile(model.with_(loads={"q": kind(**fields)}))
     load = system.model.loads["q"]
     dice = np.random.default_rng(5)
-    x = system.x0 + 0.05 * dice.standard_normal(system.x0.shape) * [1, 1, system.dim - 2]
+    x = system.x0.copy()
+    if (
+        not isinstance(load, (kt.MemberCouple, kt.MemberPointCouple)) or load.member not in model.beams
+    ):  # whose frames are rigid
+        x += 0.05 * dice.standard_normal(x.shape) * [1, 1, system.dim - 2]
     amounts = history_of(load, np.zeros(1))[0]
     return system, load, list(zip(unit_loads_of(system, "q"), amounts, strict=True)), x
 
@@ -114,9 +141,11 @@ def test_a_load_that_turns_does_so_with_its_body(case):
     f, turned = forces(units, x), forces(units, x @ R.T)
     scale = np.abs(f).max()
     np.testing.assert_allclose(forces(units, x + np.array([0.3, -0.2, 0.5 * (system.dim - 2)])), f, atol=1e-12 * scale)
-    if isinstance(load, kt.Pressure) or getattr(load, "follows", False) or getattr(load, "axes", "") == "member":
+    if getattr(load, "per", "length") == "projection" or getattr(load, "member", "") == "actuator":
+        pass  # of what depends on the angle between force and member, see test_loads_at_places
+    elif isinstance(load, kt.Pressure) or getattr(load, "follows", False) or getattr(load, "axes", "") == "member":
         np.testing.assert_allclose(turned, f @ R.T, atol=1e-12 * scale)
-    elif isinstance(load, (kt.BodyCouple, kt.MemberCouple)):
+    elif isinstance(load, (kt.BodyCouple, kt.MemberCouple, kt.MemberPointCouple)):
         moment = [np.cross(y, one).sum(axis=0) for y, one in ((x, f), (x @ R.T, turned))]
         np.testing.assert_allclose(moment[1], moment[0], atol=1e-12 * scale)
         np.testing.assert_allclose(f.sum(axis=0), 0.0, atol=1e-12 * scale)

@@ -216,7 +216,7 @@ def test_a_beam_turned_by_a_load_in_its_axes():
             kt.MemberLoad(member="bar", force=(0, 1), start=1.5, end=1.0),
             r"loads\.q\.start: is 1.5 m, not before the end",
         ),
-        (kt.MemberLoad(member="bra", force=(0, 1)), r"loads\.q\.member: no bar or beam called 'bra'.*bar"),
+        (kt.MemberLoad(member="bra", force=(0, 1)), r"loads\.q\.member: no bar, active member or beam called 'bra'.*bar"),
         (kt.MemberLoad(member="bar", force=(0, 1, 2)), r"loads\.q\.force: has 3 components"),
     ],
 )
@@ -227,10 +227,10 @@ def test_faults(load, words):
 
 def test_couples_need_a_bar_of_the_plane():
     space = kt.Model(nodes={"A": (0, 0, 0), "B": (1, 0, 0)}, fixed=["A"], bars={"bar": ("A", "B")}, **RODS)
-    with pytest.raises(kt.ModelError, match="couple along a bar in space"):
+    with pytest.raises(kt.ModelError, match="couple on a bar in space"):
         kt.check(space.with_(loads={"c": kt.MemberCouple(member="bar", moment=1.0)}))
     with pytest.raises(kt.ModelError, match="sum is 0"):
         kt.MemberCouple(member="bar", moment=1.0, shape=(1, -1))
     rope = kt.Bar(ends=("A", "B"), kind="cable", stiffness=1e3)
-    with pytest.raises(kt.ModelError, match="along the cable bar 'bar'"):
+    with pytest.raises(kt.ModelError, match="between the ends of the cable bar 'bar'"):
         kt.check(space.with_(bars={"bar": rope}, loads={"q": kt.MemberLoad(member="bar", force=(0, 1, 0))}))

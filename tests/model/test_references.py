@@ -171,7 +171,24 @@ FRAME = {
     "sections": {"round": ROD},
     "materials": {"steel": STEEL},
 }
-MODELS = {"plane": PLANE, "space": SPACE, "frame": FRAME}
+LOADED = FRAME | {
+    "loads": {
+        "shove": {"member": "arm", "force": [0, -1], "at": 0.1}, "wring": {"member": "arm", "moment": 1, "at": "50 %"},
+        "snow": {"member": "arm", "force": [0, -2], "per": "projection"},
+    },
+    "load_cases": {
+        "still": {"loads": {"shove": 1}, "category": "permanent"}, "gust": {"loads": {"wring": 1}, "category": "wind"},
+        "gale": {"loads": {"wring": -1}, "category": "wind"}, "dead": {"loads": {"snow": 1}, "category": "D"},
+        "calm": {"loads": {"snow": 2}, "category": "W"}, "blow": {"loads": {"snow": 3}, "category": "W"},
+    },
+    "combinations": {
+        "some": {"cases": {"still": 1.2, "blow": -1}},
+        "europe": {"kind": "en1990", "cases": ["still", "gust", "gale"], "exclusive": [["gust", "gale"]]},
+        "america": {"kind": "asce7-16", "cases": ["dead", "calm", "blow"], "exclusive": [["calm", "blow"]]},
+    },
+    "runs": {"stand": {"analysis": "statics.linear", "load_cases": ["europe", "some", "still"]}},
+}  # fmt: skip
+MODELS = {"plane": PLANE, "space": SPACE, "frame": FRAME, "loaded": LOADED}
 
 
 def misspelt(here: Any, path: tuple[Any, ...], name: str) -> Any:

@@ -405,3 +405,67 @@ def test_a_load_along_a_link_turns_it_in_a_simulation():
         swept = (L**3 - s**3) / 3 - s * (L**2 - s**2) / 2
         hand = -(q * (L - s) ** 2 / 2 - LINE * alpha * (swept + r * (L - s)))
         assert moments(chosen, run.forces, "boom", [0.5])[0] == pytest.approx(hand, rel=1e-9)
+
+
+def test_loads_at_places_of_a_link_and_their_combination():
+    """Pins at 0 and 2 m, 2 kN/m on all 4 m times 1.35, 1 kN at 3 m times 1.5: by hand, on both sides of the pin."""
+    model = kt.Model(
+        nodes={"O": (0, 0), "M": (2, 0), "T": (4, 0), "P": (2, -1)},
+        fixed=["O", "P"],
+        links={"boom": ("O", "M", "T")},
+        bars={"strut": ("P", "M")},
+        section=kt.Rectangle(width=0.06, height=0.12),
+        material="steel_s235",
+        loads={
+            "snow": kt.MemberLoad(member="boom", force=(0, -2e3)),
+            "man": kt.MemberPointForce(member="boom", force=(0, -1e3), at="75 %"),
+        },
+        load_cases={"G": kt.LoadCase(loads={"snow": 1.0}), "Q": kt.LoadCase(loads={"man": 1.0})},
+        combinations={"uls": {"G": 1.35, "Q": 1.5}},
+    )
+    rest = kt.statics.linear(model, load_case="uls")
+    np.testing.assert_allclose(rest.reaction.sel(support="P").values, [0.0, 13050.0], atol=1e-6)
+    found = kt.strength.beams(model, rest, stations=[0.25, 0.5, 0.75, 0.875])
+    expected = [-750.0 - 1350.0, -6900.0, -2700.0 * 0.5, -2700.0 * 0.125]
+    np.testing.assert_allclose(found.section_M.sel(beam="boom", moment="3").values, expected, atol=1e-5)
+
+
+def test_a_point_force_at_a_pin_of_a_link_is_that_on_its_node():
+    def reactions(loads):
+        model = kt.Model(
+            nodes={"A": (0, 0), "B": (1, 1), "C": (3, 1)},
+            fixed={"A": "xy", "C": "y"},
+            links={"bent": ("A", "B", "C")},
+            section=kt.Rectangle(width=0.06, height=0.12),
+            material="steel_s235",
+            loads=loads,
+        )
+        rest = kt.statics.linear(model)
+        return rest.displacement.values, kt.strength.beams(model, rest, stations=[0.2, 0.8]).section_M.values
+
+    place = float(np.hypot(1, 1))
+    along = reactions({"F": kt.MemberPointForce(member="bent", force=(1e3, -2e3), at=place)})
+    at_node = reactions({"F": kt.NodalForce(node="B", force=(1e3, -2e3))})
+    for one, other in zip(along, at_node, strict=True):
+        np.testing.assert_allclose(one, other, rtol=1e-9, atol=1e-12)
+
+
+@pytest.mark.parametrize(
+    ("load", "said"),
+    [
+        (kt.MemberPointForce(member="boom", force=(0, -1), at=5.0), "is 5 m along 'boom'"),
+        (kt.MemberLoad(member="boom", force=(0, -1), axes="member"), "is bent"),
+        (kt.MemberLoad(member="boom", force=(0, -1), per="projection"), "is bent"),
+        (kt.MemberPointCouple(member="boom", moment=1.0, at=1.0), "is a couple on a link"),
+    ],
+)
+def test_loads_that_a_bent_link_cannot_take_are_told(load, said):
+    with pytest.raises(kt.errors.ModelError, match=said):
+        kt.Model(
+            nodes={"A": (0, 0), "B": (1, 1), "C": (3, 1)},
+            fixed={"A": "xy", "C": "y"},
+            links={"boom": ("A", "B", "C")},
+            section=kt.Rectangle(width=0.06, height=0.12),
+            material="steel_s235",
+            loads={"F": load},
+        )

@@ -177,8 +177,9 @@ export class FlatView extends Picture {
     const sizes = scene.header.loads.map((_, k) => Math.hypot(...scene.vector("load_force", frame, k))), most = Math.max(...sizes, 1e-30);
     scene.header.loads.forEach((load, k) => {
       if (load.drawn === false || sizes[k] < 1e-3 * most) return;
-      const force = scene.vector("load_force", frame, k), from = this.now[load.node];
+      const force = scene.vector("load_force", frame, k), point = scene.placeOfLoad(load, (node) => this.now[node]);
       const long = (load.pressure ? PRESSURE : 1) * 0.16 * scene.extent.size;
+      const from = load.at ? point.map((x, i) => x - (long * force[i]) / most) : point;
       const [p, q] = [from, from.map((x, i) => x + (long * force[i]) / most)].map((point) => this.project(point));
       line(pen, [p, q], LOAD, 2);
       pen.fillStyle = LOAD;

@@ -44,7 +44,7 @@ export class Inspector {
       const found = skins.map((one) => [`${one.kind[0].toUpperCase()}${one.kind.slice(1)}`, one.name]);
       found.push(["Nodes", scene.nodes.length], ["Faces", scene.faces]);
       if (pressures) found.push(["Pressure", `${pressures.least === pressures.largest ? "" : `${quantity(pressures.least, "Pa")} to `}${quantity(pressures.largest, "Pa")} on ${pressures.count} ${pressures.count === 1 ? "face" : "faces"}`]);
-      const single = loads.filter((one) => !one.pressure).length;
+      const single = loads.filter((one) => !one.pressure && !one.at).length;
       if (single) found.push(["Nodal loads", single]);
       return found;
     });
@@ -117,6 +117,7 @@ export class Inspector {
     const body = scene.header.bodies.find((one) => one.member === member);
     if (body) rows.push(["Body", quantity(body.mass, "kg")]);
     rows.push(["Length", quantity(scene.length(frame, member), "m", 6)]);
+    rows.push(...loadRows(scene, frame, member));
     rows.push(...driveRows(drivesOf(scene, frame, member)));
     const lacking = scene.header.not_checked?.[scene.members[member]];
     if (lacking) rows.push(["Not checked", lacking]);
@@ -256,6 +257,15 @@ function nodeValues(scene, frame, node) {
   });
   rows.push(...driveRows(drivesAt(scene, frame, node)));
   return rows;
+}
+
+/** Loads between the ends of a member: forces at a place, and the largest force a length of those along it. */
+function loadRows(scene, frame, member) {
+  return scene.header.loads.flatMap((load, k) => {
+    if (load.member !== member || load.words === false) return [];
+    const size = Math.hypot(...scene.vector("load_force", frame, k));
+    return [[`Load ${load.name}`, load.span ? quantity(size / load.span, "N/m") : quantity(size, "N")]];
+  });
 }
 
 /** Where drives are now, and their force or torque. */

@@ -49,7 +49,7 @@ export class Supports {
   }
 }
 
-/** Arrows of the nodal forces, the longest of all times a fifth of the structure. */
+/** Arrows of the loads, the longest of all times a fifth of the structure. */
 export class Loads {
   constructor(scene, size) {
     this.scene = scene;
@@ -70,7 +70,7 @@ export class Loads {
   tips(frame) {
     return this.shown.map((load) => {
       const force = this.scene.vector("load_force", frame, load.k), size = (load.pressure ? PRESSURE : 1) * this.factor;
-      return this.scene.position(frame, load.node).map((x, i) => x + size * force[i]);
+      return this.scene.placeOfLoad(load, (node) => this.scene.position(frame, node)).map((x, i) => (load.at ? x - size * force[i] : x + size * force[i]));
     });
   }
 
@@ -78,7 +78,9 @@ export class Loads {
     this.shown.forEach((load, i) => {
       const part = load.pressure ? PRESSURE : 1;
       const force = this.scene.vector("load_force", frame, load.k).map((f) => part * f * this.factor);
-      placeArrow(this.arrows[i], points[load.node], force, part * this.radius);
+      // the tip of what acts between the ends of a member is on it
+      const point = this.scene.placeOfLoad(load, (node) => points[node]);
+      placeArrow(this.arrows[i], load.at ? point.map((x, j) => x - force[j]) : point, force, part * this.radius);
     });
   }
 }

@@ -47,14 +47,17 @@ export function stateOf(scene, frame, member) {
   return { ...place, member, frame, gravity, local, b, e, bend, rods, actions, FA: ends[0], FB: ends[1], derived: ends[2] };
 }
 
-/** What acts on a member beside its weight: force and couple (member axes) at a fraction from A; fA, fB worth the same. */
+/**
+ * What acts on a member beside its weight: force and couple (member axes) at a fraction from A; fA, fB worth the same; of a
+ * couple that is spread the whole.
+ */
 function actionsOn(scene, frame, member, L, local) {
   return (scene.header.actions || []).flatMap((action, k) => {
     if (action.member !== member) return [];
     const [fA, fB] = [0, 1].map((end) => local(scene.actionForce(frame, k, end)));
     const force = add(fA, fB), place = action.spread ? 0.5 : scene.number("action_place", frame, k);
     const arm = sub(fB, times(place, force));
-    return [{ ...action, fA, fB, force, place, couple: [0, -L * arm[2], L * arm[1]] }];
+    return [{ ...action, fA, fB, force, place, couple: [0, -L * arm[2], L * arm[1]], whole: [0, -L * fB[2], L * fB[1]] }];
   });
 }
 
@@ -134,12 +137,13 @@ export function sectionsOf(scene, frame, member) {
         S0 = add(S0, q);
         K = add(K, [0, -rod.length * q[2] * s, rod.length * q[1] * s]);
       }
-      pieces.push(piece(S0, linear, square, rod, state.bend, K, false, nut));
+      pieces.push({ ...piece(S0, linear, square, rod, state.bend, K, false, nut), nut: true });
       const beyond = rod.masses.filter((each) => each.place >= nut);
       pieces.push(...toTheEnd(state, rod, beyond, sub(times(-1, linear), square), linear, square, [0, 0, 0], nut));
     }
     return { part: scene.partsOf[member][k], ...rod, pieces };
   });
+  if (parts.length === 2) pushRods(state, parts);
   return { state, parts };
 }
 
@@ -164,20 +168,76 @@ function toTheEnd(state, rod, masses, S0, linear, square, K, start) {
 
 /** Pieces of a bar from place to place: S falls by the force and M by the couple of what acts there. */
 function barPieces(state, rod, linear, square, fromA) {
-  for (const one of state.actions.filter((each) => each.spread)) {
-    linear = sub(linear, sub(times(4, one.fA), times(2, one.fB)));
-    square = sub(square, times(3, sub(one.fB, one.fA)));
+  const places = state.actions.flatMap(({ spread, place }) => (spread ? [spread.begin, spread.end] : [place]));
+  const ends = [...new Set(places.filter((s) => s > 0 && s < 1))].sort((a, b) => a - b);
+  return [...ends, 2].map((end, k) => {
+    const start = k ? ends[k - 1] : 0, found = piece(fromA, linear, square, rod, state.bend, [0, 0, 0], false, end);
+    for (const one of state.actions) {
+      if (!one.spread) {
+        if (one.place <= start && one.place < 1) subtract(found, rod, point(one));
+      } else if (one.spread.end <= start) subtract(found, rod, passed(one));
+      else if (one.spread.begin <= start) subtract(found, rod, within(one, 0, 1));
+    }
+    return found;
+  });
+}
+
+/** What a part of a member has taken from S up to xi, and from the integral of S, and from M: coefficients of 1, xi, xi^2, xi^3. */
+const point = ({ force, place, couple }) => ({ D: [force], P: [times(-place, force), force], C: [couple] });
+
+/** The density q = c0 + c1 s of a force along a member, s from A; of a couple its share a length. */
+function density({ spread: { begin, end, ratio }, fA, fB, force }) {
+  const w = end - begin;
+  if (ratio) return [times((ratio[0] - ((ratio[1] - ratio[0]) * begin) / w) / w, force), times((ratio[1] - ratio[0]) / (w * w), force)];
+  const r = times(1 / w, sub(fB, times(begin, force)));
+  const q0 = sub(times(4, force), times(6, r)), q1 = sub(times(12, r), times(6, force));
+  return [times(1 / w, sub(q0, times(begin / w, q1))), times(1 / (w * w), q1)];
+}
+
+/** Of an action along a member that goes on at xi; s = from + scale xi. */
+function within(one, from, scale) {
+  const { begin, couple } = one.spread, first = Math.max(begin, from), start = (first - from) / scale;
+  const [c0, c1] = density(couple ? { ...one, force: one.whole } : one);
+  const at = (s) => add(times(s, c0), times((s * s) / 2, c1)); // int q from 0
+  const D = [sub(at(from), at(first)), add(times(scale, c0), times(scale * from, c1)), times((scale * scale) / 2, c1)];
+  if (couple) return { D: [], P: [], C: D };
+  const P = [[0, 0, 0], D[0], times(1 / 2, D[1]), times(1 / 3, D[2])];
+  P[0] = times(-1, P.reduce((sum, c, k) => add(sum, times(start ** k, c)), [0, 0, 0]));
+  return { D, P, C: [] };
+}
+
+/** The same behind its end, on a bar. */
+function passed(one) {
+  if (one.spread.couple) return { D: [], P: [], C: [one.whole] };
+  const { P } = within(one, 0, 1), e = one.spread.end;
+  const there = P.reduce((sum, c, k) => add(sum, times(e ** k, c)), [0, 0, 0]);
+  return { D: [one.force], P: [sub(there, times(e, one.force)), one.force], C: [] };
+}
+
+/** Take what acts up to xi off a piece: S falls by D, M2 and M3 by l P across them and by C. */
+function subtract(found, rod, { D, P, C }) {
+  D.forEach((d, k) => (found.S[k] = sub(found.S[k], d)));
+  P.forEach((p, k) => {
+    found.M[0][k] -= rod.length * p[2];
+    found.M[1][k] += rod.length * p[1];
+  });
+  C.forEach((c, k) => [1, 2].forEach((axis) => (found.M[axis - 1][k] -= c[axis])));
+}
+
+/** What acts along an active member: on the base up to the nut, on the tube from its end. */
+function pushRods(state, parts) {
+  for (const one of state.actions.filter(({ spread }) => spread)) {
+    const [base, tube] = parts, nut = Math.max(0, tube.start / state.L);
+    for (const found of base.pieces) {
+      subtract(found, base, within(one, 0, base.length / state.L));
+      if (found.nut) break;
+    }
+    const { D, P } = within(one, nut, tube.length / state.L);
+    const [whole, moment] = [D, P].map((each) => each.reduce((sum, c) => add(sum, c), [0, 0, 0]));
+    // S = D(1) - D, and M = 0 at xi = 1
+    const rest = { D: [sub(D[0], whole), ...D.slice(1)], P: P.map((c, k) => add(c, k === 0 ? sub(whole, moment) : k === 1 ? times(-1, whole) : [0, 0, 0])), C: [] };
+    for (const found of tube.pieces) subtract(found, tube, rest);
   }
-  let S0 = fromA, K = [0, 0, 0];
-  const pieces = [];
-  for (const one of state.actions.filter((each) => !each.spread && each.place < 1).sort((a, b) => a.place - b.place)) {
-    const s = one.place, q = one.force;
-    if (s > 0) pieces.push(piece(S0, linear, square, rod, state.bend, K, false, s));
-    S0 = sub(S0, q);
-    K = sub(add(K, [0, rod.length * q[2] * s, -rod.length * q[1] * s]), one.couple);
-  }
-  pieces.push(piece(S0, linear, square, rod, state.bend, K, false, 2));
-  return pieces;
 }
 
 /** A piece whose moments about axes 2, 3 are those of K at xi = 0, or at 1 where `atB`. */

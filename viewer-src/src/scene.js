@@ -161,6 +161,12 @@ export class Scene {
     return this.vector("position", frame, node);
   }
 
+  /** Where a load acts: its node, or a place between nodes; `point` gives that of a node. */
+  placeOfLoad(load, point) {
+    if (!load.at) return point(load.node);
+    return [0, 1, 2].map((i) => load.at.reduce((sum, [node, factor]) => sum + factor * point(node)[i], 0));
+  }
+
   /** Force on a member at its end 0 (A) or 1 (B), where the scene has it. */
   jointForce(frame, member, end) {
     const { data } = this.arrays.joint_force;

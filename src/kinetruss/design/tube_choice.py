@@ -13,7 +13,7 @@ from kinetruss.design.choices import Plan, with_tubes
 from kinetruss.errors import AnalysisError, InputError
 from kinetruss.kernels.sections.records import Polynomials
 from kinetruss.kernels.sections.sizing import assess, scan
-from kinetruss.model import Active, Mission, Model
+from kinetruss.model import Active, Mission, Model, acting_cases
 from kinetruss.model.runs import FLEXIBLE, MISSION, STATIC
 from kinetruss.results import Forces, Motion, Row, Verdict
 from kinetruss.runs.plans import SIMULATED, plan
@@ -71,7 +71,7 @@ def loadings(model: Model, mission: Mission) -> list[Loading]:
             motion = kinematics.follow(model, model.trajectory_of(job.run), times=job.times, raise_on_failure=False)
         if not motion.status.ok:
             raise AnalysisError(f"Run {name!r} ends early: {motion.message or motion.status.value}", motion)
-        for case in mission.load_cases or job.cases:
+        for case in acting_cases(model, mission.load_cases) if mission.load_cases else job.cases:
             label = case or "all"
             found.append(Loading(name=f"{name}/{label}" if len(names) > 1 else label, run=name, case=case, motion=motion))
     return found

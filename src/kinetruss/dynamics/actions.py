@@ -12,7 +12,7 @@ from __future__ import annotations
 from collections.abc import Callable
 from dataclasses import dataclass, field
 from functools import cached_property
-from typing import TYPE_CHECKING, NamedTuple
+from typing import TYPE_CHECKING, Any, NamedTuple
 
 import numpy as np
 
@@ -31,6 +31,16 @@ if TYPE_CHECKING:
 
 GIVEN = ("load", "body", "friction", *FORCE_ELEMENTS, "hub", "bearing", "couple", "hinge")
 """Kinds of actions that follow from motion and loads alone; those of drives and couplings follow from their forces."""
+
+
+def on_rods(ratio: tuple[float, float], nut: Any) -> tuple[tuple[Any, Any], tuple[Any, Any]]:
+    """What base and tube of an active member take of a load along it: its share, and its first moment about A over the length.
+
+    ratio : amounts a length at both ends over the mean; nut : where the tube begins, as a fraction from A.
+    """
+    first, rise = ratio[0], ratio[1] - ratio[0]
+    base = first * nut + rise * nut**2 / 2, first * nut**2 / 2 + rise * nut**3 / 3
+    return base, (1.0 - base[0], first / 2 + rise / 3 - base[1])
 
 
 class CarriedBy(NamedTuple):

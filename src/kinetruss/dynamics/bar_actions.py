@@ -51,7 +51,7 @@ class BarActions:
 def actions_of(system: System, case: str) -> BarActions:
     """All actions on bars besides their own weight and inertia. case : name of a load case, else all loads act."""
     model = system.model
-    chosen = model.load_cases[case].loads if case in model.load_cases else None
+    chosen = model.cases[case].loads if case in model.cases else None
     loads = list(model.loads) if chosen is None else list(chosen)
     on_bodies = any(not isinstance(model.loads[name], NodalForce) for name in loads)
     records = len(system.measures) or model.bodies or model.hubs or model.bearings

@@ -233,7 +233,7 @@ def _forces(system: System, load_case: str | None, tasks: Mapping[str, Any]) -> 
 
 def loads_of_case(system: System, load_case: str | None) -> Mapping[str, float]:
     """The loads of a load case with their factors; None takes all with factor 1."""
-    case = LoadCase() if load_case is None else system.model.load_cases[load_case]
+    case = LoadCase() if load_case is None else system.model.cases[load_case]
     return dict.fromkeys(system.model.loads, 1.0) if case.loads is None else case.loads
 
 

@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING, Any, NamedTuple, cast
 
 import numpy as np
 
-from kinetruss.dynamics.actions import Acting, CarriedBy
+from kinetruss.dynamics.actions import Acting, CarriedBy, on_rods
 from kinetruss.dynamics.bar_actions import (
     BarActions,
     acting_along,
@@ -21,6 +21,7 @@ from kinetruss.dynamics.bar_actions import (
 from kinetruss.dynamics.bearing_friction import relative_rates
 from kinetruss.elements.beams import MODES
 from kinetruss.elements.kinds import present
+from kinetruss.elements.loads.load import Spread
 from kinetruss.elements.local_axes import local_axes
 from kinetruss.kernels.compiled.workspace import allocate
 from kinetruss.kernels.sections.records import Actives, interface
@@ -28,7 +29,7 @@ from kinetruss.kernels.structure.lengths import end_tensions
 from kinetruss.kernels.structure.structure import ANGLE, LENGTH, EndForces, NodalLoads, States, Structure
 from kinetruss.kernels.sweep.forces import applied, energies
 from kinetruss.kinematics.turns import Passed, refined
-from kinetruss.mechanics import System, cached
+from kinetruss.mechanics import System, cached, ends_of
 from kinetruss.mechanics.elements import fed, named_motions, refuse_turns
 from kinetruss.mechanics.loads import Loads
 from kinetruss.mechanics.matrices import bar_laws
@@ -337,9 +338,20 @@ def _interfaces(system: System, loads: Any, solved: dict[str, Any], found: BarAc
     interface(actives, states, solved["joint"], loads.gravity, axes, force, moment)
     column = {int(i): k for k, i in enumerate(active)}
     for k, action in enumerate(found.actions):
-        if action.member in column and action.place == 1.0:  # a couple on the tube acts on the base at their interface
-            at = column[action.member]
+        if action.member not in column:
+            continue
+        at = column[action.member]
+        if action.place == 1.0:  # a couple on the tube acts on the base at their interface
             moment[:, at] += np.einsum("tkc,tc->tk", axes[:, at], acting.couple[:, k])
+        elif isinstance(action.place, Spread):  # what the tube takes of a load along both
+            length = ends_of(system, x.reshape(len(x), len(system.nodes), 3), action.member)[1]
+            nut = np.maximum(0.0, 1.0 - system.own_rods[action.member, 4] / length)
+            _, (share, first) = on_rods(action.place.ratio or (1.0, 1.0), nut)
+            q = np.einsum("tkc,tc->tk", axes[:, at], acting.worth[:, k].sum(axis=1))
+            force[:, at] += share[:, None] * q
+            arm = (first - nut * share) * length
+            moment[:, at, 1] -= arm * q[:, 2]
+            moment[:, at, 2] += arm * q[:, 1]
     per = ("time", "active")
     kept = slice(2, 3) if system.dim == 2 else slice(1, 3)
     where = "of the tube on the base, member axes, at the tube's free end"

@@ -233,7 +233,7 @@ def _member(here: Instant, name: str, case: str) -> FreeBody:
         cut = [(rods[0], [end_a, end_b, *acting])]
     else:
         on_base, on_tube = _interface(here, name, axes, L - rods[1].length)
-        at_a, at_b = ([one for one in acting if (one.at == 0.0) == first] for first in (True, False))
+        at_a, at_b = ([one for one in acting if one.on_tube == tubes] for tubes in (False, True))
         cut = [(rods[0], [end_a, *on_base, *at_a]), (rods[1], [*on_tube, end_b, *at_b])]
     tension = (*here.data["end_force"].values[i], here.data["member_force"].values[i])
     return FreeBody(
@@ -257,6 +257,7 @@ class _Force(NamedTuple):
     force: NDArray[np.float64]
     at: float
     moment: NDArray[np.float64] | None = None
+    on_tube: bool = False
 
 
 def _interface(here: Instant, name: str, axes: NDArray[np.float64], nut: float) -> tuple[list[_Force], list[_Force]]:
@@ -290,7 +291,7 @@ def _acting(here: Instant, member: int) -> Iterator[_Force]:
             not small or np.abs(one.force).max() > small or np.abs(one.couple).max() > small * here.length(member)
         ):
             symbol, words = _SYMBOLS.get(one.action.kind, ("K", one.action.kind))
-            yield _Force(symbol, f"{words} {one.action.source}", one.force, one.at, one.couple)
+            yield _Force(symbol, f"{words} {one.action.source}", one.force, one.at, one.couple, one.on_tube)
 
 
 def _rod_body(here: Instant, rod: Rod, axes: NDArray[np.float64], origin: NDArray[np.float64], acting: list[_Force]) -> Body:

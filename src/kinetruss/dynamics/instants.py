@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from kinetruss.dynamics.actions import Action
+from kinetruss.dynamics.actions import Action, on_rods
 from kinetruss.dynamics.bar_actions import acting_along, actions_of
 from kinetruss.dynamics.hub_arms import bodies_on_bars, loads_of_hubs, of_two_masses
 from kinetruss.elements.beam_matrices import mode_gradients
@@ -71,6 +71,7 @@ class Rod:
 class OnBar:
     """An action on a member: force (dim,) N and couple (turns,) N m about member axes 2, 3, `at` m from A.
 
+    on_tube : of an active member, on which a load along the whole is two actions; of the two the first has its worth.
     worth (2, dim) N : the equivalent forces at the ends, which do not act on its nodes.
     """
 
@@ -79,6 +80,7 @@ class OnBar:
     force: NDArray[np.float64]
     couple: NDArray[np.float64]
     worth: NDArray[np.float64]
+    on_tube: bool = False
 
     @property
     def key(self) -> tuple[str, str]:
@@ -112,9 +114,19 @@ class Instant:
         """Actions on members by their equivalent forces (k, 2, dim), N, and places (k,)."""
         made = []
         for action, ends, at in zip(actions_of(self.system, self.loads.name).actions, worth, place, strict=True):
-            L, at = self.length(action.member), 0.5 if isinstance(action.place, Spread) else at
+            L, spread = self.length(action.member), isinstance(action.place, Spread)
+            if isinstance(action.place, Spread) and self.system.two_rods[action.member]:
+                nut = max(0.0, 1.0 - self.system.own_rods[action.member, 4] / L)
+                none = np.zeros(1 if self.system.dim == 2 else 2)
+                for tube, (share, first) in enumerate(on_rods(action.place.ratio or (1.0, 1.0), nut)):
+                    force, own = share * ends.sum(axis=0), (1 - tube) * ends
+                    where = first / share * L if share else 0.0
+                    made.append(OnBar(action=action, at=where, force=force, couple=none, worth=own, on_tube=bool(tube)))
+                continue
+            at = 0.5 if spread else float(at)
             lever = L * (turning(self.axes[action.member]) @ (ends[1] - at * ends.sum(axis=0)))
-            made.append(OnBar(action=action, at=at * L, force=ends.sum(axis=0), couple=lever, worth=ends))
+            force = ends.sum(axis=0)
+            made.append(OnBar(action=action, at=at * L, force=force, couple=lever, worth=ends, on_tube=at > 0.0))
         return tuple(made)
 
     @cached_property
@@ -320,7 +332,7 @@ def instant_of(model: Model, motion: Motion, forces: Forces, time: float | None)
     still = bool(forces.whole.attrs.get("at_rest", 0))
     x, v, a = (np.array(here[name].values, float) for name in ("position", "velocity", "acceleration"))
     v, a = (0 * v, 0 * a) if still else (v, a)
-    case = forces.load_case if forces.load_case in model.load_cases else None
+    case = forces.load_case if forces.load_case in model.cases else None
     loads = case_loads(system, times[k : k + 1], case, rotating=True)
     given = loads.at(np.pad(x, ((0, 0), (0, 3 - system.dim)))[None])
     loads = _turned(given)

@@ -191,7 +191,7 @@ def _own_loads(model: Model, forces: Forces, body: str) -> Iterator[tuple[tuple[
     """Nodes and forces (time, nodes, 3) equivalent to the loads on the body itself."""
     system, own = compile(model), set(model.whole.bodies[body].nodes)
     x = _spatial(forces.motion.arrays["position"].values)
-    case = forces.load_case if forces.load_case in model.load_cases else None
+    case = forces.load_case if forces.load_case in model.cases else None
     for name, push, amount in case_loads(system, forces.motion.arrays["time"].values, case, rotating=True).unit_loads:
         record = model.loads[name]
         mine = own.issuperset(record.face) if isinstance(record, Pressure) else getattr(record, "body", None) == body

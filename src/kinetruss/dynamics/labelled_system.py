@@ -251,7 +251,7 @@ def _member(made: _Builder, i: int, apart: bool) -> None:
         base, tube = rods
         S, M = _interface(made, name, dim)
         nut, along = L - tube.length, axes.T
-        at_a, at_b = ([pair for pair in acting if (pair[0].at == 0.0) == first] for first in (True, False))
+        at_a, at_b = ([pair for pair in acting if pair[0].on_tube == tubes] for tubes in (False, True))
         unknown_forces = [(A, 0.0, np.eye(dim)), (S, nut, along)]
         _balance(made, base.name, (base,), base.centre, axes, unknown_forces, (M, np.eye(len(M))), at_a)
         unknown_forces = [(B, L, np.eye(dim)), (S, nut, -along)]

@@ -237,7 +237,7 @@ def _as_found(
     for name in attrs.get("let_go", ()):
         value = float(found.whole["drive_force"].sel(drive=name))
         own[name] = GivenForce(torque=value) if turns(system.model.all_drives[name]) else GivenForce(value)
-    if load_case is None and attrs.get("load_case") in system.model.load_cases:
+    if load_case is None and attrs.get("load_case") in system.model.cases:
         load_case = str(attrs["load_case"])
     load_time = float(attrs.get("load_time", 0.0)) if time is None else number_of(time, "time", "s")
     return own if tasks is None else tasks, load_case, load_time

@@ -112,16 +112,6 @@ class BeamElements:
             found += np.einsum("g,...k,...kgv,...kgw->...kvw", weight, inertia, turned, turned)
         return np.asarray(found)
 
-    def shares(self, beam: int, begin: Any, end: Any, first: Any, last: Any) -> Array:
-        """What each node of a beam takes of a load q along it (v,), m: l int q(xi) along(xi) dxi, q linear from first to last
-        between the shares begin and end.
-        """
-        xi, weight = _gauss()
-        begin, end, first, last = (np.asarray(one)[..., None] for one in (begin, end, first, last))
-        own = self.along(begin + (end - begin) * xi)[..., beam, :, :]
-        load = self.length[..., beam, None] * (end - begin) * (weight * (first + (last - first) * xi))
-        return np.asarray(load @ own if own.ndim == 2 else (load[..., None, :] @ own)[..., 0, :])
-
     def along(self, xi: Array) -> Array:
         """Coefficients (k, g, v) of the nodes that give the axis of the beam at the shares xi (g,) of it."""
         xi = np.asarray(xi)[..., None, :]

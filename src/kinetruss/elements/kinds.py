@@ -18,7 +18,8 @@ from kinetruss.elements.spring import springs
 from kinetruss.elements.stop import stops
 from kinetruss.kernels.structure.element_table import FORCE, INTS, INTS_END, REALS, REALS_END, force
 from kinetruss.model.data import FORCE_ELEMENTS
-from kinetruss.model.loads import BodyCouple, BodyForce, MemberCouple, MemberLoad, NodalForce, Pressure
+from kinetruss.model.loads import BodyCouple, BodyForce, NodalForce, Pressure
+from kinetruss.model.loads_along import MemberCouple, MemberLoad, MemberPointCouple, MemberPointForce
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray
@@ -122,8 +123,10 @@ LOADS: dict[type, Load] = {
     BodyForce: body_loads.FORCES,
     BodyCouple: body_loads.COUPLES,
     Pressure: pressures.PRESSURES,
-    MemberLoad: along.LOADS,
+    MemberLoad: along.FORCES,
+    MemberPointForce: along.FORCES,
     MemberCouple: along.COUPLES,
+    MemberPointCouple: along.COUPLES,
 }
 """Kinds of loads by their records."""
 

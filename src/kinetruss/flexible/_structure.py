@@ -115,7 +115,7 @@ def instants_of(model: Model, forces: Forces, softness: Softness) -> Iterator[In
     soft = softness.flexibility(system, system.x0)
     if not (np.any(soft) or np.any(system.spring > 0) or has_elements(system)):
         raise InputError("No member is elastic. Give sections and materials, a stiffness for members, or springs.")
-    case = forces.load_case if forces.load_case in system.model.load_cases else None
+    case = forces.load_case if forces.load_case in system.model.cases else None
     gravity = loads_of(system, forces).gravity
     times = forces.arrays["time"].values
     if "load_time" in forces.whole.attrs:

@@ -161,17 +161,17 @@ def _laden(model: Model, condition: Condition) -> Model:
             **model.loads,
             **{name: NodalForce(node=node, force=force) for name, (node, force) in added.items()},
         }
-    cases = {name: _case(case, added, condition, felt) for name, case in model.load_cases.items()}
+    cases = {name: _case(case, added, condition, felt, bool(model.combinations)) for name, case in model.load_cases.items()}
     if cases != model.load_cases:
         changes["load_cases"] = cases
     return model.with_(**changes) if changes else model
 
 
-def _case(case: LoadCase, added: Mapping[str, Any], condition: Condition, felt: Any) -> LoadCase:
+def _case(case: LoadCase, added: Mapping[str, Any], condition: Condition, felt: Any, combined: bool) -> LoadCase:
     """A load case with the forces of the condition, and with its gravity."""
     loads = case.loads if case.loads is None or not added else {**case.loads, **dict.fromkeys(added, 1.0)}
     gravity = case.gravity
-    if gravity is not None:
+    if gravity is not None and not (combined and not any(gravity)):  # a case that brings no weight into combinations
         gravity = None if condition.gravity is not None else felt(gravity)
     return case.with_(loads=loads, gravity=gravity)
 

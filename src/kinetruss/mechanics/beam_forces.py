@@ -98,13 +98,14 @@ def section_forces(
     linear: bool = False,
     given: Floats = None,
     v: Floats = None,
-    loads: Sequence[tuple[OnBeam, Floats]] = (),
+    loads: Sequence[tuple[OnBeam, Floats, Floats]] = (),
 ) -> dict[str, NDArray[np.float64]]:
     """Section forces at the shares xi (s,) of beams, along x (times, n, 3); load (times, n, 3) m/s^2 is g - x''.
 
     given : (times, k, modes) forces of the modes of beams that keep their shape, N m, NaN of the others. v : velocities
-    (times, n, 3), m/s, of which beams with damping have further forces. loads : those along beams with their history
-    (times, 3), N/m.
+    (times, n, 3), m/s, of which beams with damping have further forces. loads : those along beams and at places of them: with
+    their history (times, 3), and the forces (times, v, 3), N, that they put on the nodes of the beam at these positions. Where
+    a force or a couple acts at a place, the section there belongs to the side of the first end.
 
     force (times, k, s, 3): N, V_2, V_3; moment (times, k, s, 3): M_1, M_2, M_3, N m, in the axes of the deformed beam; frame
     (times, k, 3, 3) these axes as rows; force_ends, moment_ends (times, k, 2, 3) those of the sections next to the ends.
@@ -124,12 +125,13 @@ def section_forces(
     chord = np.linalg.norm(at[:, :, at.shape[2] // 2] - at[:, :, 0], axis=-1)[:, :, None, None]
     every = np.append(xi, 1.0)[:, None]
     once, twice = _integrals(q, every[:, 0])
-    _add_loads(loads, every[:, 0], frame, once, twice)
+    turned = np.zeros_like(once)
+    _add_loads(loads, l[:, 0], every[:, 0], frame, once, twice, turned)
     once, twice = once * l[:, :, None], twice * l[:, :, None] * chord
     force = -force_p[:, :, None] - once
     turn_p, turn_q = _turning(found, load, frame)
     grown = every**2 / 2
-    moment = l[:, :, None] * ((every - grown) * turn_p[:, :, None] + grown * turn_q[:, :, None]) - moment_p[:, :, None]
+    moment = l[:, :, None] * ((every - grown) * turn_p[:, :, None] + grown * turn_q[:, :, None]) - moment_p[:, :, None] - turned
     # equilibrium of the part before the section
     arm = chord * every * force_p[:, :, None] + twice
     moment += np.stack([np.zeros_like(arm[..., 0]), -arm[..., 2], arm[..., 1]], axis=-1)
@@ -172,17 +174,16 @@ def _deformed(found: BeamElements, x: Floats, x0: Floats, linear: bool, given: F
 
 
 def _by_nodes(
-    found: BeamElements, stress: Floats, x: Floats, load: Floats, frame: Floats, loads: Sequence[tuple[OnBeam, Floats]]
+    found: BeamElements, stress: Floats, x: Floats, load: Floats, frame: Floats, loads: Sequence[tuple[OnBeam, Floats, Floats]]
 ) -> tuple[Floats, Floats]:
     """Forces and moments of both ends on beams, (times, k, 2, 3), in their axes `frame`: forces sum S B of the stresses (times,
-    k, modes) at positions x, less what mass times load, m/s^2, and loads along beams put on the same nodes.
+    k, modes) at positions x, less what mass times load, m/s^2, and loads on beams put on the same nodes.
     """
     v, at = found.nodes.shape[1], x[:, found.nodes]
     nodal = mode_forces(found, np.broadcast_to(x, (len(stress), *x.shape[1:])), stress)
     nodal -= np.einsum("kvw,tkwc->tkvc", found.mass(), load[:, found.nodes])
-    for one, history in loads:
-        push = np.einsum("tac,ta->tc", frame[:, one.beam], history) if one.turns else history
-        nodal[:, one.beam] -= found.shares(*one[:-1])[:, None] * push[:, None]
+    for one, _, on_nodes in loads:
+        nodal[:, one.beam] -= on_nodes
     forces, moments = [], []
     for first in (0, v // 2):
         own = slice(first, first + v // 2)
@@ -238,17 +239,33 @@ def _integrals(q: Floats, xi: Floats) -> tuple[Floats, Floats]:
     return once, twice
 
 
-def _add_loads(loads: Sequence[tuple[OnBeam, Floats]], xi: Floats, frame: Floats, once: Floats, twice: Floats) -> None:
-    """Add int q and int (xi - t) q of loads along beams from 0 to the shares xi, in the axes of the beams."""
-    for one, history in loads:
-        q = history if one.turns else np.einsum("tac,tc->ta", frame[:, one.beam], history)
-        width, rise = one.end - one.begin, one.last - one.first
-        eta = np.clip((xi - one.begin) / width, 0.0, 1.0)
-        # behind the end the whole acts at its centre
-        single = width * eta * (one.first + rise * eta / 2)
-        double = width**2 * eta**2 * (one.first / 2 + rise * eta / 6) + np.maximum(xi - one.end, 0.0) * single
-        once[:, one.beam] += single[:, None] * q[:, None]
-        twice[:, one.beam] += double[:, None] * q[:, None]
+def _add_loads(
+    loads: Sequence[tuple[OnBeam, Floats, Floats]],
+    length: Floats,
+    xi: Floats,
+    frame: Floats,
+    once: Floats,
+    twice: Floats,
+    turned: Floats,
+) -> None:
+    """Add int q and int (xi - t) q of loads on beams of length (k,) from 0 to the shares xi, in the axes of the beams, and to
+    `turned` the whole of couples up to there.
+    """
+    for one, history, _ in loads:
+        q, behind = one.in_beam(history, frame[:, one.beam]), np.maximum(xi - one.end, 0.0)
+        if one.shape is None:
+            single, double, unit = (xi > one.end).astype(float), behind, 1.0 / length[one.beam]
+        else:
+            width, (first, last), unit = one.end - one.begin, one.shape, 1.0
+            eta = np.clip((xi - one.begin) / width, 0.0, 1.0)
+            # behind the end the whole acts at its centre
+            single = width * eta * (first + (last - first) * eta / 2)
+            double = width**2 * eta**2 * (first / 2 + (last - first) * eta / 6) + behind * single
+        if one.couple:
+            turned[:, one.beam] += unit * length[one.beam] * single[:, None] * q[:, None]
+        else:
+            once[:, one.beam] += unit * single[:, None] * q[:, None]
+            twice[:, one.beam] += unit * double[:, None] * q[:, None]
 
 
 def _frames(found: BeamElements, x: Floats) -> Floats:
@@ -277,14 +294,14 @@ def deflections(
     linear: bool = False,
     given: Floats = None,
     v: Floats = None,
-    loads: Sequence[tuple[OnBeam, Floats]] = (),
+    loads: Sequence[tuple[OnBeam, Floats, Floats]] = (),
 ) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
     """Displacements (times, k, s, 3), m, of the axes of beams at their shares xi (s,), global axes; and how far they are from
     the line of both ends, along the axes 2 and 3 of the deformed beam, (times, k, s, 2). Arguments as of `section_forces`.
 
     w'' = M/(E I) + (V/(G A_s))', u' = N/(E A) (Timoshenko). NaN of beams that keep their shape.
     """
-    ends = np.clip([one for each, _ in loads for one in (each.begin, each.end)], 0.0, 1.0)
+    ends = np.clip([one for each, *_ in loads for one in (each.begin, each.end)], 0.0, 1.0)
     edges = np.unique(np.concatenate([[0.0, 1.0], np.asarray(xi, float), ends]))
     points, weights = np.polynomial.legendre.leggauss(4)
     width = np.diff(edges)

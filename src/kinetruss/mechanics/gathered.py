@@ -104,7 +104,7 @@ def _load_numbers(model: WholeModel) -> dict[str, Any]:
                 numbers = np.array(value, float)
                 shape = (len(numbers), -1) if field == load.amounts else (-1,)
                 found[f"load {name} {field}"] = numbers.reshape(shape)
-    for name, case in model.load_cases.items():
+    for name, case in model.cases.items():
         if case.gravity is not None:
             found[f"case {name} gravity"] = np.array(case.gravity, float)
         if case.loads is not None:

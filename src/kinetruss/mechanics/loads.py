@@ -12,7 +12,7 @@ import numpy as np
 from kinetruss.elements.caching import cached
 from kinetruss.elements.kinds import LOADS
 from kinetruss.elements.loads.load import load_of
-from kinetruss.errors import InputError
+from kinetruss.errors import InputError, few
 from kinetruss.mechanics.rotating_base import RotatingBase, base_of
 from kinetruss.mechanics.system import System
 from kinetruss.model import LoadCase, NodalForce, loads_along_beams
@@ -123,9 +123,9 @@ def case_loads(system: System, t: NDArray[np.float64], name: str | None, *, rota
 def _steady(system: System, name: str | None) -> tuple[Loads, Mapping[str, float]]:
     """What of a load case does not change in time, and the factors of its loads."""
     model = system.model
-    if name is not None and name not in model.load_cases:
-        raise InputError(f"No load case called {name!r}. There are: {', '.join(model.load_cases) or 'none'}.")
-    case = LoadCase() if name is None else model.load_cases[name]
+    if name is not None and name not in model.cases:
+        raise InputError(f"No load case called {name!r}. There are: {few(tuple(model.cases), 8) or 'none'}.")
+    case = LoadCase() if name is None else model.cases[name]
     gravity, given = system.gravity.copy(), system.load_numbers
     if case.gravity is not None:
         gravity[..., : system.dim] = given[f"case {name} gravity"]

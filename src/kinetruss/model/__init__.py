@@ -57,16 +57,28 @@ if TYPE_CHECKING:
         length_along as length_along,
         piece_at as piece_at,
     )
+    from kinetruss.model.load_cases import (
+        Asce7 as Asce7,
+        Combination as Combination,
+        En1990 as En1990,
+        LoadCase as LoadCase,
+        acting_cases as acting_cases,
+        sets_of as sets_of,
+    )
     from kinetruss.model.load_checks import loads_along_beams as loads_along_beams
     from kinetruss.model.loads import (
+        ALONG as ALONG,
         BodyCouple as BodyCouple,
         BodyForce as BodyForce,
         History as History,
-        LoadCase as LoadCase,
-        MemberCouple as MemberCouple,
-        MemberLoad as MemberLoad,
         NodalForce as NodalForce,
         Pressure as Pressure,
+    )
+    from kinetruss.model.loads_along import (
+        MemberCouple as MemberCouple,
+        MemberLoad as MemberLoad,
+        MemberPointCouple as MemberPointCouple,
+        MemberPointForce as MemberPointForce,
     )
     from kinetruss.model.members import (
         Active as Active,

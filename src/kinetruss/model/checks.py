@@ -23,6 +23,7 @@ from kinetruss.model.drives import AngleDrive, CoordinateDrive, HingeDrive, Leng
 from kinetruss.model.gauges import gauge_faults
 from kinetruss.model.hub_expansion import bearing_faults
 from kinetruss.model.links import link_faults
+from kinetruss.model.load_cases import case_faults
 from kinetruss.model.load_checks import load_faults
 from kinetruss.model.members import Active, elastic_faults
 from kinetruss.model.quantities import quantity_faults
@@ -269,8 +270,7 @@ def _rotary(model: ModelData, part: Any, path: tuple[str, ...]) -> Iterator[Faul
 
 def _loads(model: WholeModel, dim: int) -> Iterator[Fault]:
     yield from load_faults(model, dim)
-    for name, case in model.load_cases.items():
-        yield from components(case.gravity, dim, ("load_cases", name, "gravity"))
+    yield from case_faults(model, dim)
     for node, history in model.support_motion.items():
         path = ("support_motion", node)
         if node in model.nodes and node not in model.fixed:

@@ -9,7 +9,7 @@ from pydantic import Field, model_validator
 
 from kinetruss.errors import Fault
 from kinetruss.model.drives import ElementRecord
-from kinetruss.model.loads import check_table
+from kinetruss.model.in_time import check_table
 from kinetruss.model.record import Of, PositiveLength, Series, Time, positive
 from kinetruss.model.references import MemberName, NodeName
 

@@ -29,7 +29,8 @@ from kinetruss.model.gauges import Gauge, GaugeZero
 from kinetruss.model.hubs import Hub
 from kinetruss.model.joints import GROUND, Bearing, BodyOrGroundName, Joint
 from kinetruss.model.links import Link
-from kinetruss.model.loads import History, Load, LoadCase
+from kinetruss.model.load_cases import Combinations, LoadCase, cases_of, of_one_code
+from kinetruss.model.loads import History, Load
 from kinetruss.model.members import Active, Bar, Brace, Node
 from kinetruss.model.quantities import Quantity
 from kinetruss.model.record import GravityVector, Name, Number, Record, VelocityVector
@@ -164,6 +165,8 @@ class ModelData(Record):
     """Forces, pressures and couples by name: at nodes, on bodies, constant or along time."""
     load_cases: Table[Name, LoadCase] = ReadOnly()
     """Loads and gravity that act together, by name; by default all loads are one case."""
+    combinations: Annotated[Table[Name, Combinations], BeforeValidator(of_one_code)] = ReadOnly()
+    """Load cases that act together: factors by name, or all combinations of a standard, e.g. {kind: en1990}."""
     conditions: Table[Name, Condition] = ReadOnly()
     """States of missions by name: gravity, base motion, temperature, locked or released members."""
     support_motion: Table[NodeName, History] = ReadOnly()
@@ -206,6 +209,11 @@ class ModelData(Record):
     def bending(self) -> dict[str, Beam | Link]:
         """Beams and links by name."""
         return ReadOnly({**self.beams, **self.links})
+
+    @cached_property
+    def cases(self) -> dict[str, LoadCase]:
+        """All load cases by name: its own, then the combinations of these."""
+        return ReadOnly(cases_of(self))
 
     @cached_property
     def members(self) -> dict[str, Bar | Active]:

@@ -16,6 +16,7 @@ COUNTED = (
     ("bars", "bar", ""), ("active", "active member", ""), ("beams", "beam", ""), ("links", "link", ""),
     ("bodies", "body", "bodies"), ("hubs", "hub", ""), ("membranes", "membrane", ""), ("solids", "solid", ""),
     ("springs", "spring", ""), ("supports", "support", ""), ("loads", "load", ""), ("load_cases", "load case", ""),
+    ("combinations", "combination", ""),
 )  # fmt: skip
 """Tables of a model that are counted -> the words for one and for several."""
 NAMED = 6

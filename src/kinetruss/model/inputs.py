@@ -7,7 +7,7 @@ from typing import Annotated, Literal
 
 from pydantic import Field, model_validator
 
-from kinetruss.model.loads import check_table
+from kinetruss.model.in_time import check_table
 from kinetruss.model.record import (
     Angle,
     Coordinate,

@@ -9,7 +9,8 @@ from typing import TYPE_CHECKING, Any
 from kinetruss.errors import Fault, few
 from kinetruss.model.beam_frames import carriers_of
 from kinetruss.model.hub_arms import arm_through
-from kinetruss.model.loads import FAULTS, BodyCouple, BodyForce, Pressure, vector_faults
+from kinetruss.model.in_time import moment_faults, vector_faults
+from kinetruss.model.loads import FAULTS, BodyCouple, BodyForce, Pressure
 from kinetruss.model.words import nearest
 
 if TYPE_CHECKING:
@@ -91,11 +92,9 @@ def _on_body(load: BodyForce | BodyCouple, model: WholeModel, dim: int, path: tu
         return
     wide: tuple[tuple[str, ...], ...] = (("bodies", load.body), ("bars", load.body), ("nodes",))
     if isinstance(load, BodyCouple):
-        for value in [load.moment] if load.moments is None else load.moments:
-            if isinstance(value, tuple) != (dim == 3):
-                message = f"is {'one number' if dim == 3 else 'three numbers'} in a model of dimension {dim}."
-                yield Fault((*path, "moment"), message, f"Give {'three' if dim == 3 else 'one'}.", about=wide)
-                return
+        if wrong := list(moment_faults(load, dim, path, wide)):
+            yield from wrong
+            return
     else:
         found = list(vector_faults(load, model, dim, path))
         if load.at is not None and len(load.at) != dim:

@@ -13,7 +13,7 @@ from kinetruss.model.catalogues import Catalogue, CatalogueText
 from kinetruss.model.data import Safety
 from kinetruss.model.members import Active
 from kinetruss.model.record import Flag, Name, NameOrRecord, Number, Record, Whole
-from kinetruss.model.references import LoadCaseName, unknown_names
+from kinetruss.model.references import LoadCaseNames, unknown_names
 from kinetruss.model.table import Filled
 from kinetruss.model.the_model import Model
 from kinetruss.model.words import faults_of, nearest
@@ -82,7 +82,7 @@ class Mission(Record):
     kinetruss_mission: Annotated[int, BeforeValidator(_format), WithJsonSchema({"const": FORMAT})] = FORMAT
     title: str = ""
     runs: Annotated[tuple[Name, ...], Field(min_length=1)] | None = None
-    load_cases: Annotated[tuple[LoadCaseName, ...], Field(min_length=1)] | None = None
+    load_cases: Annotated[tuple[LoadCaseNames, ...], Field(min_length=1)] | None = None
     groups: Filled[Name, Group] | None = None
     drives: Filled[Name, Patterns] | None = None
     catalogues: Catalogues

@@ -77,7 +77,10 @@ GearName = Annotated[Name, Ref("gear", "gears")]
 MotorName = Annotated[Name, Ref("motor", "motors")]
 AmplifierName = Annotated[Name, Ref("amplifier", "amplifiers")]
 LoadName = Annotated[Name, Ref("load", "loads")]
-LoadCaseName = Annotated[Name, Ref("load case", "load_cases")]
+LoadCaseName = Annotated[Name, Ref("load case", "load_cases", "combinations", known=attrgetter("cases"))]
+LoadCaseNames = Annotated[
+    Name, Ref("load case", "load_cases", "combinations", known=lambda model: (*model.cases, *model.combinations))
+]
 ConditionName = Annotated[Name, Ref("condition", "conditions")]
 TrajectoryName = Annotated[Name, Ref("trajectory", "trajectories")]
 MotionName = Annotated[Name, Ref("run or trajectory", "runs", "trajectories")]

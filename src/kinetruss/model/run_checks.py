@@ -10,6 +10,7 @@ from kinetruss.model.common_faults import components, other_quantity
 from kinetruss.model.coordinate_checks import measured_faults, sum_faults
 from kinetruss.model.drives import LengthDrive, coordinate_kinds, turns
 from kinetruss.model.inputs import PositionLoop
+from kinetruss.model.load_cases import sets_of
 from kinetruss.model.members import Active
 from kinetruss.model.references import unknown_names
 from kinetruss.model.runs import Run
@@ -171,8 +172,20 @@ def run_faults(model: ModelData) -> Iterator[Fault]:
         yield from task_rules(model, run.tasks, ("runs", name, "tasks"))
         yield from event_rules(model, run.events, ("runs", name, "events"))
         yield from _mission_faults(model, name, run)
+        yield from _case_faults(model, name, run)
         for pose, values in run.poses.items():
             yield from value_faults(model, values, ("runs", name, "poses", pose))
+
+
+def _case_faults(model: ModelData, name: str, run: Run) -> Iterator[Fault]:
+    """Combinations of a standard in a run that has one load case."""
+    if run.analysis in ("dynamics.simulate", "statics.equilibrium") and run.load_cases:
+        several = [case for case in run.load_cases if case not in model.cases and case in model.combinations]
+        if several:
+            count, first = len(sets_of(model)[several[0]]), next(iter(sets_of(model)[several[0]]), "")
+            message = f"names {count} combinations by {several[0]!r}, and {run.analysis} has one load case."
+            mend = f"Name one of them, e.g. {first}." if first else "Name a load case."
+            yield Fault(("runs", name, "load_cases"), message, mend, about=(("combinations", several[0]),))
 
 
 def _mission_faults(model: ModelData, name: str, run: Run) -> Iterator[Fault]:

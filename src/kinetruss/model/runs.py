@@ -26,7 +26,7 @@ from kinetruss.model.record import (
     Time,
     Whole,
 )
-from kinetruss.model.references import ConditionName, DriveName, LoadCaseName, MemberName, MotionName, NodeName
+from kinetruss.model.references import ConditionName, DriveName, LoadCaseNames, MemberName, MotionName, NodeName
 from kinetruss.model.simulation import Event, Method, Task
 from kinetruss.model.table import ReadOnly, Table
 from kinetruss.model.targets import Combined, Target
@@ -208,8 +208,8 @@ class Run(Record):
         `targets`, a task of the structure (`Gimbal`, `Positioning`, `Docking` ...), which says what the drives must do.
         A simulation needs neither; its trajectory moves the drives that have no task.
     samples : number of equally spaced instants, both ends included.
-    load_cases : names; None runs all of the model's, or its plain loads if it has none. A simulation or an equilibrium has
-        one at most; None takes all loads with factor 1.
+    load_cases : names, also of combinations; None runs all combinations of the model, all of its load cases if it has none, or
+        its plain loads. A simulation or an equilibrium has one at most; None takes all loads with factor 1.
     stations : equally spaced sections along each member, both ends included.
     condition : name of one of the model's `conditions`, under which the run is done; None: the model as it is.
 
@@ -231,7 +231,7 @@ class Run(Record):
     motion: str | None = None
     targets: Target | None = None
     samples: Annotated[Whole, Field(ge=2, le=MOST_SAMPLES)] = 201
-    load_cases: tuple[LoadCaseName, ...] | None = None
+    load_cases: tuple[LoadCaseNames, ...] | None = None
     stations: Annotated[Whole, Field(ge=2, le=MOST_STATIONS)] = 7
     condition: ConditionName | None = None
     t_end: Span | None = None

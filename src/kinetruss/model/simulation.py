@@ -7,8 +7,8 @@ from typing import TYPE_CHECKING, Annotated, Any, ClassVar, Literal, cast, get_a
 from pydantic import Discriminator, Field, Tag, ValidationInfo, WithJsonSchema, field_validator, model_validator
 
 from kinetruss.model.drives import Measured as MeasuredCoordinate, turns
+from kinetruss.model.in_time import check_table
 from kinetruss.model.inputs import ExponentialInput, PositionLoop, SineInput, StepInput, TableInput
-from kinetruss.model.loads import check_table
 from kinetruss.model.record import (
     Count,
     Flag,

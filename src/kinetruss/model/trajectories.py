@@ -12,7 +12,7 @@ from pydantic import Field, Tag, model_validator
 from kinetruss.errors import Fault, InputError
 from kinetruss.kernels.motion import profiles
 from kinetruss.model.drives import CoordinateName, LengthDrive
-from kinetruss.model.loads import Shape, check_times
+from kinetruss.model.in_time import Shape, check_times
 from kinetruss.model.record import (
     Angle,
     Coordinate,

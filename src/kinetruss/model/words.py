@@ -64,6 +64,7 @@ _RECORDS = {
     "drives": "{kind: angle, bar: crank}",
     "loads": "{node: B, force: [0, -100 N]}",
     "load_cases": "{loads: {weight: 1.35}}",
+    "combinations": "{cases: {dead: 1.35, wind: 1.5}}",
     "material": "{E: 210 GPa, density: 7850}",
     "materials": "{E: 210 GPa, density: 7850}",
     "runs": "{trajectory: {kind: rate, rates: {motor: 10}, duration: 1 s}}",

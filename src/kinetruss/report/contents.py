@@ -15,10 +15,12 @@ from kinetruss.errors import one_line
 from kinetruss.kinematics import mobility
 from kinetruss.library.bodies import properties_of
 from kinetruss.library.joints import conditioning
+from kinetruss.model import ALONG, sets_of
 from kinetruss.model.beam_frames import frame_of
 from kinetruss.model.bodies import principal, quality
 from kinetruss.model.data import ELEMENT_FIELDS
 from kinetruss.model.links import length_along
+from kinetruss.report.document.inputs import worded
 from kinetruss.report.page import Page
 
 if TYPE_CHECKING:
@@ -70,6 +72,8 @@ def _record(model: Model, name: str) -> dict[str, Any]:
         "joints": _joints(model),
         "beams": _beams(model),
         "links": _links(model),
+        "loads_on_members": _loads(model),
+        "combinations": {name: list(cases) for name, cases in sets_of(model).items()},
         **{field: list(getattr(model, field)) for field in ELEMENT_FIELDS.values()},
         "mechanisms": found.mechanism_texts(),
         "self_stress_states": found.self_stress_texts(),
@@ -116,6 +120,11 @@ def _entries(model: Model, name: str) -> Iterator[Entry]:
         measured("smallest singular value", "smallest_singular_value"),
     ]
     yield Table(columns, _joints(model), "Joints")
+    columns = [words("load", "name"), words("member"), words("what")]
+    yield Table(columns, _loads(model), "Loads between the ends of members")
+    several = [f"{name} ({len(cases)})" if cases != (name,) else name for name, cases in sets_of(model).items()]
+    if several:
+        yield f"combinations of load cases: {', '.join(several)}"
     own = {field: list(getattr(model, field)) for field in ELEMENT_FIELDS.values()}
     elements = "".join(f"{field}: {', '.join(names)}\n" for field, names in own.items() if names)
     yield f"{elements}runs: {', '.join(model.runs) or 'none'}"
@@ -162,6 +171,15 @@ def _links(model: Model) -> list[dict[str, Any]]:
             "hinges": dict(link.hinges),
         }
         for name, link in model.links.items()
+    ]
+
+
+def _loads(model: Model) -> list[dict[str, Any]]:
+    """Name, member and the rest in words of every load between the ends of a member."""
+    return [
+        {"name": name, "member": load.member, "what": worded(load).partition(", ")[2]}
+        for name, load in model.loads.items()
+        if isinstance(load, ALONG)
     ]
 
 

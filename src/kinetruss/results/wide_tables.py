@@ -83,10 +83,10 @@ class Row:
 
     @property
     def place(self) -> str:
-        """``M7, voltage: 93.1 % at 6.55 s``: how much is used, and when; at rest the load case in place of the time."""
+        """``M7, voltage: 93.1 % at 6.55 s, gust``: how much is used, when, and under which load case if there are several."""
         case = f", {self.load_case}" if self.load_case not in ("", "all") else ""
-        when = f", pose {self.pose}" if self.pose else f" at {instant(self.time)}" if math.isfinite(self.time) else case
-        return f"{self.part}, {self.rule}: {quantity(self.utilisation, '%')}{when}"
+        when = f", pose {self.pose}" if self.pose else f" at {instant(self.time)}" if math.isfinite(self.time) else ""
+        return f"{self.part}, {self.rule}: {quantity(self.utilisation, '%')}{when}{case}"
 
     @property
     def text(self) -> str:

@@ -135,9 +135,9 @@ def _forces(model: Model, found: Result, motion: Motion, case: str) -> Forces:
     units, named = force_units(compile(model), "drive")
     data = data.assign(drive_force=variable(("time", "drive"), drive, units["drive"], "drive force or torque"))
     data = data.assign_coords({"drive": list(model.all_drives), **named})
-    system, own = compile(model), model.load_cases.get(case)
+    system, own = compile(model), model.cases.get(case)
     if actions_of(system, case).actions:
-        data = _between(system, data, case if case in model.load_cases else None)
+        data = _between(system, data, case if case in model.cases else None)
     gravity = (None if own is None else own.gravity) or model.gravity or (0.0,) * model.dim
     data.attrs = {"kind": "forces", "load_case": case, "not_unique": [], "at_rest": 1, "gravity": list(gravity)}
     return Forces(data=data, message=motion.message, provenance=found.provenance, motion=motion, load_case=case)

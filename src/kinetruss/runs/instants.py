@@ -135,7 +135,7 @@ def _forces(job: Plan, t: NDArray[np.float64], load_case: str | None) -> Forces:
 def _case(job: Plan, load_case: str | None) -> str | None:
     if load_case is None:
         return job.cases[0]
-    return None if load_case == "all" and not job.model.load_cases else load_case
+    return None if load_case == "all" and not job.model.cases else load_case
 
 
 def _inside(job: Plan, t: NDArray[np.float64]) -> None:
@@ -194,7 +194,7 @@ def derived(
     def with_static(case: str) -> Forces:
         from kinetruss import dynamics
 
-        again = dynamics.inverse(model, motion, case if case in model.load_cases else None)
+        again = dynamics.inverse(model, motion, case if case in model.cases else None)
         return stored[case].with_(static=again.static)
 
     def sections(case: str) -> Sections:

@@ -14,7 +14,7 @@ import xarray as xr
 from kinetruss.display import counted
 from kinetruss.display.ranks import place_of_largest
 from kinetruss.errors import InputError, StoreError
-from kinetruss.model import Model, Run
+from kinetruss.model import Model, Run, acting_cases
 from kinetruss.model.runs import MISSION
 from kinetruss.results import Motion, Status, variable
 from kinetruss.results.lock import is_locked
@@ -78,7 +78,7 @@ def pairs_of(model: Model, name: str) -> list[Pair]:
     found: list[Pair] = []
     for motion in mission.motions:
         own = model.runs[motion].load_cases if motion in model.runs else None
-        cases: tuple[str | None, ...] = mission.load_cases or own or tuple(model.load_cases) or (None,)
+        cases: tuple[str | None, ...] = acting_cases(model, mission.load_cases or own)
         for condition in conditions:
             for case in cases:
                 found.append(Pair(len(found), motion, condition, case))

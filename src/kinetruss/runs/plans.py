@@ -14,7 +14,7 @@ from kinetruss.errors import AnalysisError, InputError
 from kinetruss.kinematics import conditions
 from kinetruss.kinematics.time_tables import check_supports
 from kinetruss.limits import whole
-from kinetruss.model import Condition, Free, Hold, Model, Quintic, Run
+from kinetruss.model import Condition, Free, Hold, Model, Quintic, Run, acting_cases
 from kinetruss.model.runs import FLEXIBLE, MISSION, STANDING
 from kinetruss.results import Demand, Forces, Motion, Result, Sections, Simulation, Verdict
 
@@ -102,11 +102,11 @@ def plan(model: Model, name: str | None, block: int | None = None) -> Plan:
             f"Run {chosen!r} is a mission: it has an envelope, and no history of its own. Name one of its motions that is a "
             f"run ({', '.join(run.motions)}), or take the run of a pair (runs.governing)."
         )
-    cases: tuple[str | None, ...] = run.load_cases if run.load_cases is not None else tuple(model.load_cases) or (None,)
+    cases: tuple[str | None, ...] = acting_cases(model, run.load_cases)
     given, origin = None, model
     model, run, condition = conditioned(model, run)
     if run.analysis in (SIMULATED, "statics.equilibrium"):
-        cases = run.load_cases or (None,)
+        cases = (None,) if run.load_cases is None else cases
     if run.analysis == SIMULATED:
         times = np.linspace(0.0, run.t_end or 0.0, run.samples)
     elif run.motion is not None:

@@ -125,7 +125,7 @@ def loads_of(system: System, forces: Forces) -> Loads:
     t = forces.arrays["time"].values
     if "load_time" in forces.whole.attrs:
         t = np.full(len(t), float(forces.whole.attrs["load_time"]))
-    case = forces.load_case if forces.load_case in system.model.load_cases else None
+    case = forces.load_case if forces.load_case in system.model.cases else None
     return loads_at(system, t, case, str(forces.whole.attrs.get("weight", "all")))
 
 

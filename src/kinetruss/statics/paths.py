@@ -279,16 +279,14 @@ class _Walk:
 def scaled_loads(system: System, load: str | Mapping[str, float]) -> Loads:
     """The loads that are scaled, as nodal forces."""
     model = system.model
-    if isinstance(load, str) and load in model.load_cases:
+    if isinstance(load, str) and load in model.cases:
         loads = case_loads(system, np.zeros(1), load)
     else:
         factors = {load: 1.0} if isinstance(load, str) else {name: float(value) for name, value in load.items()}
         for name in factors:
             if name not in model.loads:
-                raise InputError(
-                    f"No load called {name!r} to scale. {nearest(name, [*model.loads, *model.load_cases])}".rstrip()
-                )
-        scaled = system.given.with_(load_cases={"scaled": LoadCase(loads=factors)}, runs={})
+                raise InputError(f"No load called {name!r} to scale. {nearest(name, [*model.loads, *model.cases])}".rstrip())
+        scaled = system.given.with_(load_cases={"scaled": LoadCase(loads=factors)}, combinations={}, runs={})
         loads = case_loads(compile(scaled), np.zeros(1), "scaled")
     if any(not one.constant for _, one, _ in loads.unit_loads):
         raise InputError("The load that is scaled turns with the structure. Give one that keeps its direction.")
@@ -310,10 +308,10 @@ def without(system: System, load: str | Mapping[str, float], load_case: str | No
     if load_case is not None:
         return system
     model = system.given
-    case = model.load_cases.get(load) if isinstance(load, str) else None
+    case = model.cases.get(load) if isinstance(load, str) else None
     gone = (case.loads or model.loads) if case is not None else [load] if isinstance(load, str) else load
     kept = {name: record for name, record in model.loads.items() if name not in gone}
-    left = model.with_(loads=kept, load_cases={}, runs={})
+    left = model.with_(loads=kept, load_cases={}, combinations={}, runs={})
     return replace(system, given=left, model=left.whole)
 
 

@@ -8,6 +8,7 @@ import numpy as np
 import xarray as xr
 
 from kinetruss.elements.kinds import LOADS
+from kinetruss.elements.loads.along import units_on_beam
 from kinetruss.errors import InputError
 from kinetruss.mechanics import System, compile
 from kinetruss.mechanics.beam_forces import deflections, section_forces
@@ -106,7 +107,7 @@ def along_elements(
     load = _gravity(system, result, case, load_case is None) - _history(system, result, data, x, "acceleration")
     given = result.arrays["mode_force"].values if isinstance(result, Forces) and "mode_force" in result.arrays else None
     v = _history(system, result, data, x, "velocity") if elements.damping.any() else None
-    loads = _along(system, case, len(x), data)
+    loads = _along(system, case, np.broadcast_to(system.x0, x.shape) if linear else x, data)
     known: dict[str, Any] = {"linear": linear, "given": given, "v": v, "loads": loads}
     found = section_forces(elements, x, system.x0, load, xi, **known)
     moved, bent = deflections(elements, x, system.x0, load, xi, **known)
@@ -178,7 +179,7 @@ def _no_motion(result: Any) -> dict[str, Any]:
 
 def _case_of(model: Model, result: Any) -> str | None:
     name = getattr(result, "load_case", None) or (result.attrs.get("load_case") if isinstance(result, Result) else None)
-    return name if name in model.load_cases else None
+    return name if name in model.cases else None
 
 
 def _gravity(system: System, result: Any, case: str | None, own: bool) -> NDArray[np.float64]:
@@ -193,20 +194,39 @@ def _gravity(system: System, result: Any, case: str | None, own: bool) -> NDArra
     return found
 
 
-def _along(system: System, case: str | None, count: int, data: xr.Dataset | None) -> list[tuple[OnBeam, NDArray[np.float64]]]:
-    """Loads along beams of a case, with their history (times, 3)."""
-    model = system.model
-    chosen = model.load_cases[case].loads if case is not None else None
-    found = [
-        (name, one)
-        for name in (model.loads if chosen is None else chosen)
-        for one in LOADS[type(model.loads[name])].on_beams(system, model.loads[name])
-    ]
+def _along(
+    system: System, case: str | None, x: NDArray[np.float64], data: xr.Dataset | None
+) -> list[tuple[OnBeam, NDArray[np.float64], NDArray[np.float64]]]:
+    """Loads on beams of a case, with their history (times, 3) and their forces (times, v, 3), N, on the nodes of the beam, with
+    all nodes at x (times, n, 3).
+    """
+    found = [(name, one) for name in loads_of(system, case) for one in on_beams(system, name)]
     if not found:
         return []
-    t = np.zeros(count) if data is None or "time" not in data.coords else data["time"].values
-    amounts = case_loads(system, t, case, rotating=True).amounts
-    return [(one, np.pad(amounts[name], ((0, 0), (0, 3 - system.dim)))) for name, one in found]
+    t = np.zeros(len(x)) if data is None or "time" not in data.coords else data["time"].values
+    amounts, elements = case_loads(system, t, case, rotating=True).amounts, cast("Any", system.continua).beams
+    several = []
+    for name, one in found:
+        nodes, forces = elements.nodes[one.beam].tolist(), np.zeros((len(x), elements.nodes.shape[1], 3))
+        for unit, amount in zip(units_on_beam(system, system.model.loads[name], one), amounts[name].T, strict=True):
+            forces[:, [nodes.index(node) for node in unit.nodes]] += amount[:, None, None] * unit.forces(x[:, unit.nodes])
+        first = 2 if one.couple and system.dim == 2 else 0
+        history = np.zeros((len(x), 3))
+        history[:, first : first + amounts[name].shape[1]] = amounts[name]
+        several.append((one, history, forces))
+    return several
+
+
+def loads_of(system: System, case: str | None) -> tuple[str, ...]:
+    """Names of the loads of a case; of all if it is None."""
+    chosen = system.model.cases[case].loads if case is not None else None
+    return tuple(system.model.loads if chosen is None else chosen)
+
+
+def on_beams(system: System, name: str) -> list[OnBeam]:
+    """Where a load acts on elastic beams."""
+    load = system.model.loads[name]
+    return list(LOADS[type(load)].on_beams(system, load))
 
 
 def _history(system: System, result: Any, data: xr.Dataset | None, x: NDArray[np.float64], name: str) -> NDArray[np.float64]:

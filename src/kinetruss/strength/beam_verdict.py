@@ -11,7 +11,7 @@ from kinetruss.mechanics import System, cached, compile
 from kinetruss.model import Piece
 from kinetruss.results import Forces
 from kinetruss.strength.beam_spans import Spans, spans_of
-from kinetruss.strength.beam_stresses import along_elements, known_positions
+from kinetruss.strength.beam_stresses import along_elements, known_positions, loads_of, on_beams
 from kinetruss.strength.link_columns import columns_of
 
 if TYPE_CHECKING:
@@ -22,7 +22,9 @@ if TYPE_CHECKING:
 
 
 SECTIONS = 97
-"""Sections at which a beam is judged at least: a parabola is at most 1.1e-4 higher between them."""
+SECTIONS = 97
+"""Sections at which a beam is judged at least, besides those where loads begin, end or act: a parabola is at most 1.1e-4 higher
+between them."""
 BEAM_QUANTITIES = ("tension", "compression", "bending", "stress", "combined")
 BENT = "not checked: a bent link buckles with the whole structure, by an analysis of its own (statics.buckling)"
 STABILITY = "not checked: a beam buckles with the whole structure, by an analysis of its own (statics.buckling)"
@@ -63,7 +65,7 @@ def beam_histories(model: Model, forces: Forces, stations: int = SECTIONS) -> di
     if not shape[0] or not spans.names or not known_positions(forces):
         nothing = np.full(shape, np.nan)
         return dict.fromkeys(BEAM_QUANTITIES, (nothing, nothing))
-    xi = np.linspace(0.0, 1.0, max(stations, SECTIONS))
+    xi = _stations(compile(model), forces.load_case, max(stations, SECTIONS))
     found, _, _ = along_elements(model, forces, xi)
     T, M = found["section_T"], np.linalg.norm(found["section_M"], axis=-1)
     along = dict(zip(BEAM_QUANTITIES[:4], (T, -T, M, found["von_mises"]), strict=True))
@@ -135,6 +137,15 @@ def beam_sections(model: Model, result: Forces | Result, stations: int) -> NDArr
     parts = [found[name] for name in names if name in found]
     several = [one if one.ndim > parts[0].ndim else one[..., None] for one in parts]
     return np.asarray(np.concatenate(several, axis=-1)).reshape(shape)
+
+
+@cached()
+def _stations(system: System, case: str, count: int) -> NDArray[np.float64]:
+    """Sections at equal distances, and on both sides of the places where loads begin, end or act."""
+    cases = case if case in system.model.cases else None
+    places = {float(s) for name in loads_of(system, cases) for one in on_beams(system, name) for s in (one.begin, one.end)}
+    sides = [side for s in places for side in (s, min(1.0, np.nextafter(s, 2.0)))]
+    return np.unique(np.clip([*np.linspace(0.0, 1.0, count), *sides], 0.0, 1.0))
 
 
 def _largest(values: NDArray[np.float64], xi: NDArray[np.float64]) -> tuple[NDArray[np.float64], NDArray[np.float64]]:

@@ -203,7 +203,7 @@ def _passed(model: Model, forces: Forces, x: NDArray[np.float64]) -> Iterator[tu
     """Arm, member that is twisted from its other end (or empty), end of the member, couple (times, 3) of it on the hub."""
     arrays, twisted = forces.arrays, set[str]()
     if couples := _couples(model):
-        case = forces.load_case if forces.load_case in model.load_cases else None
+        case = forces.load_case if forces.load_case in model.cases else None
         given = case_loads(compile(model), arrays["time"].values, case, rotating=True).amounts
         by_end: dict[tuple[str, int], str] = {}
         for name, load in couples.items():
@@ -312,8 +312,8 @@ def _members(system: System, gravity: tuple[float, ...], on: tuple[str, ...], pl
     acting = np.searchsorted([index[name] for name in on], np.arange(real + 1))
     orient, reference = orientation(system)
     clamped_ptr = np.searchsorted(system.clamped[:, 0], np.arange(2 * real + 1))
-    spread = np.array([POINT if one is None else FORCE if one.couple is None else COUPLE for one in places], np.int64)
-    along = np.array([(0.0,) * 4 if one is None else (one.begin, one.end, *(one.couple or (0.0, 0.0))) for one in places])
+    spread = np.array([POINT if one is None else COUPLE if one.couple else FORCE for one in places], np.int64)
+    along = np.array([(0.0,) * 4 if one is None else (one.begin, one.end, *(one.ratio or (0.0, 0.0))) for one in places])
     along = along.reshape(-1, 4)
     return Members.of(
         {

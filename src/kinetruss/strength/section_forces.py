@@ -61,7 +61,7 @@ def screws_not_held(model: Model, cases: Iterable[str]) -> list[str]:
 
 
 def _loads_of(model: Model, case: str) -> Iterable[str]:
-    chosen = model.load_cases[case].loads if case in model.load_cases else None
+    chosen = model.cases[case].loads if case in model.cases else None
     return model.loads if chosen is None else chosen
 
 

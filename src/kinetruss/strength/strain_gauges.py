@@ -220,7 +220,7 @@ def _reference(model: Model, forces: Forces, zero: GaugeZero) -> Forces:
         position = kinematics.assemble(model)
     still = np.zeros((1, *position.shape))
     # without a load case named, gravity alone acts
-    bare = model if zero.load_case is not None else model.with_(loads={}, load_cases={}, runs={})
+    bare = model if zero.load_case is not None else model.with_(loads={}, load_cases={}, combinations={}, runs={})
     motion = kinematics.from_arrays(bare, [0.0], position[None], still, still)
     return dynamics.inverse(bare, motion, zero.load_case, static=False)
 

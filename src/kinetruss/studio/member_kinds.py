@@ -18,7 +18,7 @@ if TYPE_CHECKING:
     from kinetruss.studio.edits import Data
 
 
-LEAN = ("runs", "trajectories", "poses", "gauges", "gauge_zero", "drives", "load_cases")
+LEAN = ("runs", "trajectories", "poses", "gauges", "gauge_zero", "drives", "load_cases", "combinations")
 """Tables whose entries may be removed if their member no longer exists or is no longer driven."""
 
 ROUNDS = 20

@@ -156,8 +156,8 @@ def query(session: Session) -> Answer:
 @message
 def case(session: Session, name: Name | None = None) -> Answer:
     """The load case shown; None: all loads with factor 1."""
-    if name is not None and name not in session.model.load_cases:
-        raise InputError(f"No load case called {name!r}. {nearest(name, session.model.load_cases)}")
+    if name is not None and name not in session.model.cases:
+        raise InputError(f"No load case called {name!r}. {nearest(name, session.model.cases)}")
     if session.draw:
         raise InputError("The drawing shows all loads. Use the page with sliders.")
     session.case = name

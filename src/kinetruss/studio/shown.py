@@ -154,7 +154,7 @@ def _setup(session: Shown) -> Record:
         "masses": {name: node.mass for name, node in model.nodes.items()},
         "nodes": list(model.nodes),
         "members": [{"name": name, "role": role_of(model, name), "own": role_of(first, name)} for name in first.members],
-        "cases": list(model.load_cases),
+        "cases": list(model.cases),
         "case": session.case,
         "file": "" if session.file is None else session.file.name,
         "writable": session.folder is not None,

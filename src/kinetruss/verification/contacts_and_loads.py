@@ -1,4 +1,4 @@
-"""Loads along beams and bars against the formulas of beam theory; a mass that meets a stop."""
+"""Loads on beams and bars against the formulas of beam theory; combinations of loads; a mass that meets a stop."""
 
 from __future__ import annotations
 
@@ -94,3 +94,64 @@ def bounce(exponent: float, damping: float) -> Numbers:
             "meets": begin * SPEED / GAP,
         }
     return {"speed": math.log((1 + damping * SPEED) / (1 - damping * after)) / (damping * (SPEED + after))}
+
+
+def at_a_place() -> Numbers:
+    """A force and a couple at a quarter of a beam of 1.6 m: on a cantilever the deflection over P L^3/(E I) and C L^2/(E I); on
+    a beam clamped at both ends the moments of the clamps over P L and C, and the jumps of shear force and moment over P and C.
+    """
+    EI, P, C = STEEL.E * SQUARE.second_moments[1], 70.0, 30.0
+    loads = {
+        "force": kt.MemberPointForce(member="b0", force=(0.0, -P), at="25 %"),
+        "couple": kt.MemberPointCouple(member="b0", moment=C, at=0.25 * LENGTH),
+    }
+    found: Numbers = {}
+    for name, one, scale in (("force", loads["force"], -P * LENGTH), ("couple", loads["couple"], C)):
+        cantilever, held = (_beam(lambda *_, one=one: one, *ends, pieces=1) for ends in (("N0",), ("N0", "N1")))
+        bent = kt.statics.linear(cantilever).displacement.sel(node="N1", axis="y")
+        cut = kt.strength.beams(held, kt.statics.linear(held), stations=[0.25, math.nextafter(0.25, 1.0)]).isel(beam=0)
+        found[name] = bent * EI / (scale * LENGTH**2)
+        found[f"{name}.clamp.near"], found[f"{name}.clamp.far"] = (abs(one) / abs(scale) for one in cut.end_moment.values[:, 0])
+        jump = cut.section_V[:, 0] if name == "force" else cut.section_M[:, 0]
+        found[f"{name}.jump"] = abs(jump[1] - jump[0]) / (P if name == "force" else C)
+    return found
+
+
+def snow() -> Numbers:
+    """Two rafters with three hinges, span 4 m, rise 1.5 m, under snow s per projected length: thrust over s l^2/f, reaction
+    over s l, moment in the middle of a rafter over s l^2.
+    """
+    span, rise = 4.0, 1.5
+    roof = kt.Model(
+        nodes={"A": (0, 0), "C": (span / 2, rise), "B": (span, 0)},
+        fixed=["A", "B"],
+        bars={"left": ("A", "C"), "right": ("B", "C")},
+        loads={name: kt.MemberLoad(member=name, force=(0.0, -LINE), per="projection") for name in ("left", "right")},
+        section=SQUARE,
+        material=STEEL,
+    )
+    forces = kt.runs.forces_at_rest(roof)
+    held = forces.reaction.sel(support="A")[0].values / LINE
+    moment = kt.strength.sections(roof, forces, [0.5]).data.section_M.sel(part="left", moment="3").values.item()
+    return {"thrust": held[0] * rise / span**2, "reaction": held[1] / span, "moment": abs(moment) / (LINE * span**2)}
+
+
+def combinations() -> Numbers:
+    """Dead load, imposed load B, snow and wind by EN 1990, 6.10: how many combinations; largest and least vertical and
+    horizontal force of 10, 6 and 4 kN down and 5 kN across. By ASCE 7-16, LRFD, of D, L, S and W.
+    """
+    kinds = (("G", "permanent", "D", (0, -10e3)), ("Q", "imposed B", "L", (0, -6e3)), ("S", "snow", "S", (0, -4e3)))
+    found: Numbers = {}
+    for name, code, column in (("en", kt.En1990(), 1), ("asce", kt.Asce7(), 2)):
+        every = (*kinds, ("W", "wind", "W", (5e3, 0)))
+        model = kt.Model(
+            nodes={"A": (0, 0)},
+            loads={one[0]: kt.NodalForce(node="A", force=one[3]) for one in every},
+            load_cases={one[0]: kt.LoadCase(loads={one[0]: 1}, category=one[column]) for one in every},
+            combinations={"uls": code},
+        )
+        cases = [one.loads or {} for label, one in model.cases.items() if label not in model.load_cases]
+        down = [10 * case["G"] + 6 * case.get("Q", 0) + 4 * case.get("S", 0) for case in cases]
+        found |= {f"{name}.count": len(cases), f"{name}.most": max(down), f"{name}.least": min(down)}
+        found[f"{name}.across"] = max(5 * case.get("W", 0) for case in cases)
+    return found

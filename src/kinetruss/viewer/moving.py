@@ -13,7 +13,8 @@ import xarray as xr
 from kinetruss.elements.continua_arrays import skin_of
 from kinetruss.errors import InputError
 from kinetruss.mechanics.rotating_base import rates_in_space
-from kinetruss.model import Pressure
+from kinetruss.model import ALONG, Pressure
+from kinetruss.viewer.loads_along import EACH, FEW, MANY, drawn_along
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray
@@ -217,7 +218,7 @@ def _forces(
     from kinetruss.strength.verdict import strength_histories, worst_of
 
     data = forces.whole
-    case = forces.load_case if forces.load_case in model.load_cases else None
+    case = forces.load_case if forces.load_case in model.cases else None
     when = load_times(forces, data["time"].values)
     loads, load_force = loads_of(model, when, case, forces.motion.whole["position"].values)
     names = ("reaction", "drive_force", "energy", *(() if rounded else ("joint_force",)))
@@ -243,7 +244,7 @@ def _forces(
 
 def _actions(model: Model, forces: Forces) -> tuple[list[dict[str, Any]], dict[str, NDArray[Any]]]:
     """Actions on members other than weight: sources, members and arrays; `mean` if mean forces include them."""
-    return _described_actions(model, forces.whole)
+    return _described_actions(model, forces.whole, forces.load_case)
 
 
 def actions_at_rest(model: Model, rest: Result) -> tuple[list[dict[str, Any]], dict[str, NDArray[Any]]]:
@@ -257,24 +258,28 @@ def actions_at_rest(model: Model, rest: Result) -> tuple[list[dict[str, Any]], d
     x = np.zeros((1, *system.x0.shape))
     x[:, :, : model.dim] = data["position"].values
     case = rest.provenance.get("load_case")
-    loads = case_loads(system, load_times(rest, np.zeros(1)), case if case in model.load_cases else None).at(x)
+    loads = case_loads(system, load_times(rest, np.zeros(1)), case if case in model.cases else None).at(x)
     coupling = np.full((1, len(system.model.couplings)), np.nan)
     drive = data["drive_force"].values[None] if "drive_force" in data else np.full((1, len(system.drives)), np.nan)
     still = np.zeros((1, system.x0.size))
     found, acting = acting_along(system, loads, States(x.reshape(1, -1), still, still), drive, coupling)
-    return _described_actions(model, xr.Dataset(action_variables(system, acting), action_coordinates(system, found)))
+    data = xr.Dataset(action_variables(system, acting), action_coordinates(system, found))
+    return _described_actions(model, data, loads.name)
 
 
-def _described_actions(model: Model, data: xr.Dataset) -> tuple[list[dict[str, Any]], dict[str, NDArray[Any]]]:
-    from kinetruss.dynamics.bar_actions import TENSING
+def _described_actions(model: Model, data: xr.Dataset, case: str) -> tuple[list[dict[str, Any]], dict[str, NDArray[Any]]]:
+    from kinetruss.dynamics.bar_actions import TENSING, actions_of
+    from kinetruss.elements.loads.load import Spread
+    from kinetruss.mechanics import compile
 
     if "action" not in data.coords:
         return [], {}
     members = {name: k for k, name in enumerate(model.whole.members)}
     place = data["action_place"].values
-    spread = np.isnan(place).any(axis=0)
+    places = [one.place for one in actions_of(compile(model), case).actions]
+    spread = [dict(one._asdict()) if isinstance(one, Spread) else False for one in places]
     described = []
-    pairs = zip(data["action_source"].values.tolist(), data["action_member"].values.tolist(), spread.tolist(), strict=True)
+    pairs = zip(data["action_source"].values.tolist(), data["action_member"].values.tolist(), spread, strict=True)
     for source, member, along in pairs:
         kind, _, name = source.partition(" ")
         described.append(
@@ -292,7 +297,7 @@ def _described_actions(model: Model, data: xr.Dataset) -> tuple[list[dict[str, A
 def loads_of(
     model: Model, time: NDArray[Any], case: str | None, position: NDArray[np.float64] | None = None
 ) -> tuple[list[dict[str, Any]], NDArray[np.float64]]:
-    """Nodal forces of a load case: nodes, and forces (times, loads, dim), N, with nodes at position (times, n, dim)."""
+    """Forces of a load case: where they act, and (times, loads, dim), N, with nodes at position (times, n, dim)."""
     from kinetruss.mechanics import compile
     from kinetruss.mechanics.loads import case_loads
 
@@ -302,7 +307,9 @@ def loads_of(
         full[:, :, : model.dim] = position
     loads = case_loads(system, time, case, rotating=True).at(full)
     pressing = np.array([isinstance(model.loads[name], Pressure) for name in loads.loads], np.bool_)
-    single = np.flatnonzero(~pressing)
+    # loads between the ends of members are drawn there, and not as forces on nodes
+    several = [name for name in dict.fromkeys(loads.loads) if isinstance(model.loads[name], ALONG)]
+    single = np.flatnonzero(~pressing & ~np.isin(loads.loads, several))
     where = [{"name": loads.loads[k], "node": int(loads.node[k])} for k in single]
     # pressure: one arrow per node for all faces at it, and at most as many arrows as can be distinguished
     nodes, of = np.unique(loads.node[pressing], return_inverse=True)
@@ -310,7 +317,13 @@ def loads_of(
     force = np.einsum("nk,tki->tni", about, loads.force[:, pressing])
     drawn = _spread(full[0, nodes], ARROWS)
     where += [{"name": "pressure", "node": int(node), "pressure": True, "drawn": k in drawn} for k, node in enumerate(nodes)]
-    return where, np.concatenate([loads.force[:, single], force], axis=1)[:, :, : model.dim]
+    found = [loads.force[:, single], force]
+    for name in several:
+        own = loads.force[:, [k for k, one in enumerate(loads.loads) if one == name]].sum(axis=1)
+        entries, forces = drawn_along(system, name, own, EACH if len(several) <= MANY else FEW)
+        where += entries
+        found += [one[:, None] for one in forces]
+    return where, np.concatenate(found, axis=1)[:, :, : model.dim]
 
 
 def _spread(points: NDArray[np.float64], most: int) -> set[int]:

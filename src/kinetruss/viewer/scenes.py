@@ -174,7 +174,7 @@ def snapshots(
         when, loading = found["time"], None
         if subject.forces:
             when, loading = load_times(subject.forces[0], when), subject.forces[0].load_case
-        loading = loading if loading in model.load_cases else None
+        loading = loading if loading in model.cases else None
         loads, found["load_force"] = loads_of(model, when, loading, data["position"].values)
         more = {"loads": loads}
         if subject.forces:  # a load case may have its own
@@ -306,9 +306,9 @@ def _standing(subject: _Subject) -> tuple[dict[str, Any], dict[str, NDArray[Any]
     when, case = np.zeros(1), None
     if subject.rest is not None:
         when, case = load_times(subject.rest, when), subject.rest.provenance.get("load_case")
-        own = model.load_cases[case].gravity if case in model.load_cases else None
+        own = model.cases[case].gravity if case in model.cases else None
         more |= {} if own is None else {"gravity": [float(g) for g in own]}
-    loads, force = loads_of(model, when, case if case in model.load_cases else None, position[None])
+    loads, force = loads_of(model, when, case if case in model.cases else None, position[None])
     found = {"time": np.zeros(1), "position": scalars_placed(model, position[None]), "load_force": force}
     if subject.rest is not None:
         still = np.zeros_like(found["position"])

@@ -14,6 +14,7 @@ from numpy.typing import NDArray
 from kinetruss.elements.caching import cached
 
 if TYPE_CHECKING:
+    from kinetruss.elements.beams import BeamElements
     from kinetruss.kernels.compiled.record import Record
     from kinetruss.mechanics.bars import Bars
     from kinetruss.mechanics.system import System
@@ -23,12 +24,13 @@ STEP = 1e-30
 
 class Spread(NamedTuple):
     """From `begin` to `end` of a member, as fractions from A: a force that changes linearly, so that it has the given forces at
-    the ends of the member; or a couple whose amount a length has the ratio of `couple` at both.
+    the ends of the member; or one, or a `couple`, whose amount a length has at both ends a known `ratio` to the mean.
     """
 
     begin: float = 0.0
     end: float = 1.0
-    couple: tuple[float, float] | None = None
+    ratio: tuple[float, float] | None = None
+    couple: bool = False
 
 
 class OnMember(NamedTuple):
@@ -105,16 +107,42 @@ class Turning(NamedTuple):
 
 
 class OnBeam(NamedTuple):
-    """A load along elastic beam `beam`, an index, from `begin` to `end` as fractions from A: linear from first to last times
-    the history of the load, N/m, in global axes, or where it `turns` in those of the deformed beam.
+    """A load on elastic beam `beam`, an index, from `begin` to `end` as fractions from A: linear from `shape`[0] to `shape`[1]
+    times its history, N/m, or N m/m of a `couple`; or, without a shape, at the place `begin`, N or N m. The history is in
+    global axes, or where it `turns` in those of the deformed beam; a `shadow` is the direction along which the beam is
+    projected.
     """
 
     beam: int
     begin: float
     end: float
-    first: float
-    last: float
+    shape: tuple[float, float] | None
     turns: bool
+    shadow: NDArray[np.float64] | None = None
+    couple: bool = False
+
+    def over(self, beams: BeamElements, weights: Callable[[Any], Any]) -> Any:
+        """l int q(xi) weights(xi) dxi of the load q = shape, or the weights (..., g, values) at its place; summed over g."""
+        if self.shape is None:
+            return weights(np.asarray(self.begin)[..., None])[..., 0, :]
+        # four points: exact for a load that changes linearly on polynomials up to the sixth power
+        at, weight = np.polynomial.legendre.leggauss(4)
+        eta = 0.5 * (1.0 + at)
+        begin, end, first, last = (np.asarray(one)[..., None] for one in (self.begin, self.end, *self.shape))
+        q = beams.length[..., self.beam, None] * (end - begin) * (0.5 * weight * (first + (last - first) * eta))
+        own = weights(begin + (end - begin) * eta)
+        return np.asarray(q @ own if own.ndim == 2 else (q[..., None, :] @ own)[..., 0, :])
+
+    def shares(self, beams: BeamElements) -> NDArray[Any]:
+        """What each node of the beam takes of a force of 1 N/m times the shape, m, or of 1 N at its place, (v,)."""
+        return np.asarray(self.over(beams, lambda xi: beams.along(xi)[..., self.beam, :, :]))
+
+    def in_beam(self, history: NDArray[np.float64], frame: NDArray[np.float64]) -> NDArray[np.float64]:
+        """The history (times, 3) in the axes (times, 3, 3) of the deformed beam."""
+        found = history if self.turns else np.einsum("tac,tc->ta", frame, history)
+        if self.shadow is not None:
+            found = found * np.linalg.norm(np.cross(frame[:, 0], self.shadow), axis=-1)[:, None]
+        return np.asarray(found)
 
 
 @cached(256)

@@ -23,7 +23,7 @@ class Members(Record):
     member k. clamped_ptr (2 m + 1,) : masses clamped[clamped_ptr[j]:clamped_ptr[j + 1]] are on the base of member k, j = 2 k,
     or on its tube, j = 2 k + 1; clamped (c, 2) : fraction from the end towards A, ascending, and kg, besides those in rods.
     spread (actions,) : POINT, FORCE or COUPLE; along (actions, 4) : of one that is spread the fractions from A where it begins
-    and ends, and of a couple its amount a length there over the mean. gravity (3,) m/s^2.
+    and ends, and of a couple, or a force on an active member, its amount a length there over the mean. gravity (3,) m/s^2.
     """
 
     segments: I0

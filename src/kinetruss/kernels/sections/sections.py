@@ -17,7 +17,8 @@ What else acts on a bar between its ends is given by the forces f_A, f_B at the 
 
     S falls by q = f_A + f_B,  M by c = d x (f_B - s q),  d from A to B
 
-or spread from xi = b to xi = b + w, eta = (xi - b)/w: a force q(eta) = q0 + q1 eta with q0 = 4 q - 6 r and q1 = 12 r - 6 q,
+On an active member a force is spread along the whole: its base takes what is before the nut, its tube the rest. On a bar it
+is spread from xi = b to xi = b + w, eta = (xi - b)/w: a force q(eta) = q0 + q1 eta with q0 = 4 q - 6 r and q1 = 12 r - 6 q,
 r = (f_B - b q)/w; a couple c (a0 + (a1 - a0) eta), a0 + a1 = 2, with f_B = -f_A. Where actions begin or end, segments do.
 Source: free bodies of Lacy (1991, chapters 2 and 4), with the acceleration of the moving rods written out.
 """
@@ -340,6 +341,51 @@ def _base(members: Members, k: int, out: Polynomials, at: Any, nut: float, force
 
 
 @kernel_inline
+def _push_rods(members: Members, histories: Histories, k: int, out: Polynomials, at: Any, frame: Frame) -> None:
+    """Add the forces along active member k, q (a0 + (a1 - a0) s), to its base, up to the nut, and to its tube, from its end."""
+    (row, part, i), rods, along = at, members.rods, members.along
+    base, tube, nut = rods[k, 1] / frame.length, rods[k, 4] / frame.length, max(0.0, 1.0 - rods[k, 4] / frame.length)
+    for n in range(members.acting[k], members.acting[k + 1]):
+        if members.spread[n] == POINT:
+            continue
+        a, b = _seen(_at(histories.worth[i], n, 0), frame), _seen(_at(histories.worth[i], n, 1), frame)
+        a0, rise = along[n, 2], along[n, 3] - along[n, 2]
+        # what base and tube take from their beginning: d1 xi + d2 xi^2
+        b1, b2 = base * a0, 0.5 * base * base * rise
+        t1, t2 = tube * (a0 + nut * rise), 0.5 * tube * tube * rise
+        for c in range(3):
+            q = a[c] + b[c]
+            # M2' = l V3, M3' = -l V2
+            first, sign = (9, 1.0) if c == 2 else (13, -1.0)
+            j = 0
+            while True:
+                segment = out.coef[row, part, j]
+                segment[3 * c + 1] -= q * b1
+                segment[3 * c + 2] -= q * b2
+                if c > 0:
+                    segment[first + 2] -= sign * rods[k, 1] * q * b1 / 2.0
+                    segment[first + 3] -= sign * rods[k, 1] * q * b2 / 3.0
+                if out.ends[row, part, j] >= out.nut[row, part]:
+                    break
+                j += 1
+            j = 0
+            while True:
+                segment = out.coef[row, part + 1, j]
+                segment[3 * c] += q * (t1 + t2)
+                segment[3 * c + 1] -= q * t1
+                segment[3 * c + 2] -= q * t2
+                if c > 0:
+                    # M = 0 at the end of the tube
+                    segment[first] -= sign * rods[k, 4] * q * (t1 / 2.0 + 2.0 * t2 / 3.0)
+                    segment[first + 1] += sign * rods[k, 4] * q * (t1 + t2)
+                    segment[first + 2] -= sign * rods[k, 4] * q * t1 / 2.0
+                    segment[first + 3] -= sign * rods[k, 4] * q * t2 / 3.0
+                if out.ends[row, part + 1, j] >= WHOLE:
+                    break
+                j += 1
+
+
+@kernel_inline
 def _rods(
     members: Members, histories: Histories, k: int, out: Polynomials, at: Any, frame: Frame, force: Any, motion: Any
 ) -> None:
@@ -358,6 +404,7 @@ def _rods(
     masses = members.clamped_ptr[2 * k + 1], members.clamped_ptr[2 * k + 2]
     out.nut[row, part + 1] = WHOLE
     _to_the_end(members, out, (row, part + 1, 0), masses, rod, (_less(_less(f, c1), c2), c1, c2), couple)
+    _push_rods(members, histories, k, out, at, frame)
 
 
 @kernel_inline

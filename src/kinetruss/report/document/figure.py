@@ -118,7 +118,7 @@ def _names(places: Places) -> list[Label]:
     """Names of nodes: of all where they are few, else of supports and loads; where those are few they stand in any case."""
     header = places.scene.header
     held = {one["node"] for one in header["supports"]}
-    loads = {one["node"] for one in header["loads"] if not one.get("pressure")}
+    loads = {one["node"] for one in header["loads"] if "node" in one and not one.get("pressure")}
     used = set(places.joined)
     found = []
     for k in places.nodes:
@@ -154,9 +154,10 @@ def _caption(run: RunResult, case: str | None, k: int, worst: Row | None, over: 
     force = np.linalg.norm(places.scene.arrays["load_force"][0], axis=1)
     if (force > LEAST_FORCE * header["largest_load"]).any():
         pressing = ", of pressure some of them and without values" * any(one.get("pressure") for one in header["loads"])
-        words.append(f"arrows: forces on nodes{pressing}")
+        along = ", along members parts of the whole with its value a length" * any("span" in one for one in header["loads"])
+        words.append(f"arrows: forces{pressing}{along}")
     there = {one["name"] for one in header["loads"]}
-    chosen = None if case not in model.load_cases else model.load_cases[case].loads
+    chosen = None if case not in model.cases else model.cases[case].loads
     acting = model.loads if chosen is None else [name for name, factor in chosen.items() if factor]
     others = [name for name in acting if name not in there and not isinstance(model.loads[name], Pressure)]
     if others:

@@ -13,8 +13,10 @@ from kinetruss.display import Table, counted, quantity
 from kinetruss.display.tables import measured, together, words
 from kinetruss.mechanics import compile
 from kinetruss.mechanics.matrices import mass_matrix
-from kinetruss.model import Active, Link, Model, Of, Record, Run, length_along
+from kinetruss.model import Active, Link, Model, Of, Record, Run, length_along, sets_of
 from kinetruss.model.data import ELEMENT_FIELDS, FORCE_ELEMENTS
+from kinetruss.model.in_time import MomentOf
+from kinetruss.model.loads_along import PlaceOf
 from kinetruss.model.supports import support_words
 from kinetruss.report.tables import METHODS
 from kinetruss.units import EITHER, unit_of
@@ -211,9 +213,18 @@ def inputs(run: RunResult, name: str = "") -> list[Table]:
             for kind, one in ELEMENT_FIELDS.items()
         ),
         ("Loads and load cases", "name", [*_named(model.loads), *_named(model.load_cases, "load case ")]),
+        ("Combinations of load cases", "name", [*_combinations(model)]),
         ("Tasks of drives and events", "name", [*_named(run.definition.tasks), *_named(run.definition.events, "event ")]),
     )
     return [*found, *(Table((head, "what"), rows, caption) for caption, head, rows in lists)]
+
+
+def _combinations(model: Model) -> Iterator[tuple[str, str]]:
+    """Combinations and the factors of their cases; those that standards make, with their clauses."""
+    for one, names in sets_of(model).items():
+        if names != (one,):
+            yield one, worded(model.combinations[one])
+        yield from ((name, model.cases[name].title) for name in names)
 
 
 def _run_rows(run: RunResult, name: str) -> Iterator[tuple[str, str]]:
@@ -363,7 +374,7 @@ def _spaced(name: str) -> str:
 def _unit(metadata: Iterable[Any], annotation: Any) -> str:
     """The unit of a field, or of the numbers in it."""
     for rule in metadata:
-        if isinstance(rule, Of):
+        if isinstance(rule, (Of, MomentOf, PlaceOf)):
             # what a trajectory moves or a spring holds may be a length or an angle
             return "" if rule.quantity in EITHER else unit_of(rule.quantity)
     return next((found for one in get_args(annotation) if (found := _unit(getattr(one, "__metadata__", ()), one))), "")

@@ -10,6 +10,7 @@ import numpy as np
 from kinetruss.display import LOAD, quantity
 from kinetruss.report.pictures.labels import APART, FREE, Label, point_of
 from kinetruss.report.pictures.specs import INK, QUIET, Drawing, Stand
+from kinetruss.viewer.loads_along import points_of
 from kinetruss.viewer.places import Places
 
 if TYPE_CHECKING:
@@ -92,14 +93,17 @@ def arrows(places: Places, sample: int, view: str = "iso", least: float = LEAST)
     """
     header, forces = places.scene.header, places.scene.arrays["load_force"][sample]
     largest, found = header["largest_load"], []
-    for one, force in zip(header["loads"], forces, strict=True):
+    for one, force, point in zip(header["loads"], forces, points_of(header, places.x), strict=True):
         size = float(np.linalg.norm(force))
         if not one.get("drawn", True) or not size > least * largest:
             continue
         way = force * (LONGEST * header["extent"] / largest)
-        node = places.x[one["node"]]
-        start = node - (way if _on_member(places, one["node"], way, view) else 0.0)
-        words = "" if one.get("pressure") else quantity(size, "N")
+        # the tip of what acts between the ends of a member is on it
+        ends = "node" not in one or _on_member(places, one["node"], way, view)
+        start = point - (way if ends else 0.0)
+        words = "" if one.get("pressure") or not one.get("words", True) else quantity(size, "N")
+        if one.get("words") and "span" in one:
+            words = quantity(size / one["span"], "N/m")
         found.append((projected(start, view), projected(start + way, view), words))
     return found
 
