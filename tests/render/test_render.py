@@ -336,11 +336,15 @@ def test_a_browser_that_fails_is_told_and_ended(lift, tmp_path, monkeypatch, tex
     monkeypatch.setattr(pictures, "chromium", lambda: str(program))
     monkeypatch.setattr(browser, "PATIENCE", 1.0)
     monkeypatch.setattr(browser, "LEAVE", 0.1)
+    started, plain = [], os.posix_spawn
+    monkeypatch.setattr(os, "posix_spawn", lambda *given, **more: started.append(plain(*given, **more)) or started[-1])
     with pytest.raises(AnalysisError, match=f"Nothing was drawn: .*{words}"):
         viewer.render(lift, tmp_path / "film.mp4")
     assert not (tmp_path / "film.mp4").exists()
-    with pytest.raises(ChildProcessError):  # none is left
-        os.waitpid(-1, os.WNOHANG)
+    assert len(started) == bool(text)
+    for one in started:
+        with pytest.raises(ChildProcessError):  # it is not left
+            os.waitpid(one, os.WNOHANG)
 
 
 def test_a_file_that_cannot_be_written_is_named(lift, tmp_path):
