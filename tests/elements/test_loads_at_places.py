@@ -390,6 +390,8 @@ def test_faults_of_records():
         kt.MemberPointForce(member="bar", force=(0, 1), at="-3 mm")
     with pytest.raises(kt.ModelError, match="projection along a force that turns"):
         kt.MemberLoad(member="bar", force=(0, 1), per="projection", axes="member")
+    with pytest.raises(kt.ModelError, match="has at, the place of a load, and start, of one along a member"):
+        kt.MemberPointForce(member="bar", force=(0, 1), at=1, start=0.5)
     with pytest.raises(kt.ModelError, match="neither a force nor a table"):
         kt.MemberPointForce(member="bar", at=1)
 

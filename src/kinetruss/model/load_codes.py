@@ -196,12 +196,14 @@ def asce7(categories: Mapping[str, str], exclusive: Sequence[Sequence[str]], met
     """
     dead = [name for name, category in categories.items() if category == DEAD]
     for clause, steady, terms, first in RULES[method]:
+        met = set[tuple[str, ...]]()  # where a category does not act, it does not matter which of several it is
         for chosen in product(*terms):
             factor = dict(chosen)
             moving = [name for name, category in categories.items() if category in factor]
             for some in together(moving, exclusive):
                 leading = "+".join(name for name in some if categories[name] in first)
-                if terms and not leading:
+                if (terms and not leading) or some in met:
                     continue  # another combination, or less of this one than the first: 1.4 D, D
+                met.add(some)
                 found = dict.fromkeys(dead, steady) | {name: factor[categories[name]] for name in some}
                 yield Combined({name: round(one, 10) for name, one in found.items()}, f"ASCE 7-16 {clause}", leading)

@@ -78,6 +78,19 @@ class AlongMember(BetweenEnds):
     end: Place | None = None
 
 
+class AtPlace(BetweenEnds):
+    """What loads at a place of a member have in common."""
+
+    at: Place
+
+    @model_validator(mode="before")
+    @classmethod
+    def _no_part(cls, data: Any) -> Any:
+        if isinstance(data, dict) and (along := [name for name in ("start", "end", "shape", "per") if name in data]):
+            raise ValueError(f"has at, the place of a load, and {along[0]}, of one along a member. Leave out one of them.")
+        return data
+
+
 LineLoad = Annotated[tuple[Annotated[float, Of("force per length")], ...], Field(min_length=2, max_length=3), Series]
 Couple = Annotated[Any, MomentOf("torque")]
 LineCouple = Annotated[Any, MomentOf("moment per length")]
@@ -140,7 +153,7 @@ class MemberCouple(AlongMember):
         return self
 
 
-class MemberPointForce(BetweenEnds):
+class MemberPointForce(AtPlace):
     """A force at a place between the ends of a member, N: the shear force jumps there.
 
     force : constant force, N.
@@ -150,16 +163,15 @@ class MemberPointForce(BetweenEnds):
     axes : ``global``: it keeps its direction; ``member``: its components are along the axes of the member, with which it turns.
 
     >>> import kinetruss as kt
-    >>> kt.MemberPointForce(member="arm", force=(0, "-2 kN"), at="50 %")
-    MemberPointForce(member='arm', force=(0.0, -2000.0), at='50 %')
+    >>> kt.MemberPointForce(member="arm", force=(0, "-2 kN"), at="50 %").at
+    '50 %'
     """
 
     force: ForceVector | None = None
     forces: Annotated[tuple[ForceVector, ...], Series] | None = None
-    at: Place
 
 
-class MemberPointCouple(BetweenEnds):
+class MemberPointCouple(AtPlace):
     """A couple at a place of a bar of a planar model or of a beam, N m: the bending moment jumps there.
 
     moment : constant couple, N m: one number in the plane, counter-clockwise; three in space.
@@ -176,7 +188,6 @@ class MemberPointCouple(BetweenEnds):
     amount, amounts = "moment", "moments"
     moment: Couple | None = None
     moments: Annotated[tuple[Couple, ...], Series] | None = None
-    at: Place
 
 
 # What does not fit a model.
@@ -222,7 +233,7 @@ def along_faults(load: BetweenEnds, model: ModelData, dim: int, path: tuple[Any,
 def _places(load: BetweenEnds, length: float, path: tuple[Any, ...], about: Any) -> Iterator[Fault]:
     if isinstance(load, AlongMember):
         yield from _span(load, length, path, about)
-    elif isinstance(load, (MemberPointForce, MemberPointCouple)):
+    elif isinstance(load, AtPlace):
         yield from _beyond(load, "at", length, path, about)
     if isinstance(load, MemberLoad) and load.per == "projection":
         yield from _one_direction(load, path)
