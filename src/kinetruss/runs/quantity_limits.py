@@ -65,6 +65,14 @@ def limit_rows(model: Model, found: Mapping[str, xr.Dataset]) -> Iterator[Row]:
                 )
 
 
+def unchecked_rows(model: Model, why: str) -> Iterator[Row]:
+    """A row, not checked, for each quantity that has limits, where there are no values to check."""
+    for name, one in model.quantities.items():
+        if one.limits is not None:
+            none = dict.fromkeys(("value", "limit", "utilisation", "margin", "time"), math.nan)
+            yield Row(part=name, member=name, rule="limit", unit="", note=f"{NOT_CHECKED}{why}", **none)
+
+
 def _row(
     data: xr.Dataset,
     k: int,

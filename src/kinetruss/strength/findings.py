@@ -105,7 +105,7 @@ class Finding:
     def text(self) -> str:
         """The state in words, without what governs."""
         over = "Over capacity" if {row.part for row in self.over} - {row.part for row in self.quantities} else "Beyond a limit"
-        return {"over": over, "ok": "OK"}.get(self.state) or self.partial or self.lacking or self.unknown[0]
+        return {"over": over, "ok": "OK"}.get(self.state) or self.partial or self.lacking or "Limits of quantities not fully checked"
 
     @property
     def governs(self) -> str:
@@ -124,7 +124,7 @@ class Finding:
             *(one for one in (self.partial, lacking) if one != self.text),
             f"{counted(drives, 'drive')} without limits" if drives else "",
             *self.left_out,
-            *(one for one in self.unknown if one != self.text),
+            *self.unknown,
         ]
         return [one for one in found if one]
 
