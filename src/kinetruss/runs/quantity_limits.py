@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterator, Mapping
-from typing import TYPE_CHECKING, Protocol
+from typing import TYPE_CHECKING, Any, Protocol
 
 import numpy as np
 
@@ -69,7 +69,7 @@ def unchecked_rows(model: Model, why: str) -> Iterator[Row]:
     """A row, not checked, for each quantity that has limits, where there are no values to check."""
     for name, one in model.quantities.items():
         if one.limits is not None:
-            none = dict.fromkeys(("value", "limit", "utilisation", "margin", "time"), math.nan)
+            none: dict[str, Any] = dict.fromkeys(("value", "limit", "utilisation", "margin", "time"), math.nan)
             yield Row(part=name, member=name, rule="limit", unit="", note=f"{NOT_CHECKED}{why}", **none)
 
 

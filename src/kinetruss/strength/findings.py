@@ -105,7 +105,8 @@ class Finding:
     def text(self) -> str:
         """The state in words, without what governs."""
         over = "Over capacity" if {row.part for row in self.over} - {row.part for row in self.quantities} else "Beyond a limit"
-        return {"over": over, "ok": "OK"}.get(self.state) or self.partial or self.lacking or "Limits of quantities not fully checked"
+        lacking = self.lacking or ("Limits of quantities not fully checked" if self.unknown else "")
+        return {"over": over, "ok": "OK"}.get(self.state) or self.partial or lacking
 
     @property
     def governs(self) -> str:
