@@ -188,6 +188,31 @@ def test_a_value_that_is_not_known_leaves_its_limits_open():
     assert any("not known at 2 of 21 samples" in one for one in kt.report.document_page(run).record["warnings"])
 
 
+def test_a_mission_says_that_it_did_not_check_them():
+    runs = {"all": kt.Run(analysis="mission", motions=["turn"])}
+    model = crank_rocker(quantities=LIMITED)
+    finding = kt.run(model.with_(runs={**model.runs, **runs}), "all").finding
+    assert finding.state == "open"
+    assert any(one.startswith("swing not checked: a mission has no histories") for one in finding.more)
+
+
+def test_statics_has_the_quantities_of_each_load_case():
+    truss = kt.Model(
+        nodes={"A": (0, 0), "B": (0, 1), "C": (1, 0)}, fixed=["A", "B"], bars={"strut": ("A", "C"), "tie": ("B", "C")},
+        loads={"hook": kt.NodalForce(node="C", force=(0, -1000))}, section=kt.Rod(diameter=0.02), material="steel_s235",
+        load_cases={"once": {"loads": {"hook": 1}}, "twice": {"loads": {"hook": 2}}},
+        quantities={"sag": {"value": "-C.y", "limits": [None, "0.05 mm"]}},
+        runs={"still": kt.Run(analysis="statics.linear", load_cases=["once", "twice"])},
+    )  # fmt: skip
+    run = kt.run(truss, "still")
+    found = {case: one.value.values.item() for case, one in run.quantities.items()}
+    for case, linear in run.statics.items():
+        assert found[case] == pytest.approx(-linear.whole["displacement"].sel(node="C", axis="y").item(), rel=1e-12)
+    assert found["twice"] == pytest.approx(2 * found["once"], rel=1e-12)
+    assert [row["load_case"] for row in quantity_rows(run)] == ["once", "twice"]
+    assert run.finding.quantities[0].load_case == "twice"
+
+
 def test_pictures_of_a_mechanism(turn):
     names = [one.name for one in specifications(turn)]
     assert {"turning", "paths", "speeds", "drives"} <= set(names)

@@ -20,6 +20,7 @@ from kinetruss.results import Motion, Status, variable
 from kinetruss.results.lock import is_locked
 from kinetruss.results.store import Store, open_store
 from kinetruss.runs.mission_drives import DriveEnvelope, drives_of, train_rows
+from kinetruss.runs.quantity_limits import unchecked_rows
 from kinetruss.runs.results import RunResult, from_store, load as load_run, model_of
 from kinetruss.strength.envelopes import Gathering, extremes_of, verdict_of
 from kinetruss.strength.findings import Finding, find
@@ -117,7 +118,8 @@ class MissionRun(RunResult):
     def finding(self) -> Finding:
         """What the mission says of all its pairs."""
         drives = [] if self.trains is None else train_rows(self.trains)
-        return find(self.verdict, drives, partial=self.partial, doubts=self.doubts)
+        lacking = unchecked_rows(self.model, "a mission has no histories; take the run of a pair (runs.governing)")
+        return find(self.verdict, drives, partial=self.partial, doubts=self.doubts, quantities=lacking)
 
     @property
     def partial(self) -> str:

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterator, Mapping
-from typing import TYPE_CHECKING, Protocol
+from typing import TYPE_CHECKING, Any, Protocol
 
 import numpy as np
 
@@ -63,6 +63,14 @@ def limit_rows(model: Model, found: Mapping[str, xr.Dataset]) -> Iterator[Row]:
                 yield _row(
                     data, k, case, float(used[at]), float(values[at]), limits, float(time[at]) if len(time) > 1 else math.nan
                 )
+
+
+def unchecked_rows(model: Model, why: str) -> Iterator[Row]:
+    """A row, not checked, for each quantity that has limits, where there are no values to check."""
+    for name, one in model.quantities.items():
+        if one.limits is not None:
+            none: dict[str, Any] = dict.fromkeys(("value", "limit", "utilisation", "margin", "time"), math.nan)
+            yield Row(part=name, member=name, rule="limit", unit="", note=f"{NOT_CHECKED}{why}", **none)
 
 
 def _row(

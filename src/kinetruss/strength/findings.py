@@ -105,7 +105,8 @@ class Finding:
     def text(self) -> str:
         """The state in words, without what governs."""
         over = "Over capacity" if {row.part for row in self.over} - {row.part for row in self.quantities} else "Beyond a limit"
-        return {"over": over, "ok": "OK"}.get(self.state) or self.partial or self.lacking or self.unknown[0]
+        lacking = self.lacking or ("Limits of quantities not fully checked" if self.unknown else "")
+        return {"over": over, "ok": "OK"}.get(self.state) or self.partial or lacking
 
     @property
     def governs(self) -> str:
@@ -124,7 +125,7 @@ class Finding:
             *(one for one in (self.partial, lacking) if one != self.text),
             f"{counted(drives, 'drive')} without limits" if drives else "",
             *self.left_out,
-            *(one for one in self.unknown if one != self.text),
+            *self.unknown,
         ]
         return [one for one in found if one]
 
