@@ -344,7 +344,8 @@ def _node(here: Instant, name: str, case: str) -> FreeBody:
     forces += [("P", f"load {load}", force) for load, force in here.loads_on(n)]
     for one, (amount, _) in here.several.items():
         if (left := here.left_on(n, one)).any():
-            forces.append(("Q", f"{here.kind_of(one)} {one}", amount * left))
+            owner = system.inner.part_of(one)
+            forces.append(("Q", f"{here.kind_of(one)} {one}" if owner == one else owner, amount * left))
     mass = float(system.lump[n])
     push, weight = here.bodies_at(n)
     if (elements := here.elements_at(n)) is not None:

@@ -152,7 +152,7 @@ if TYPE_CHECKING:
         Taylor as Taylor,
     )
     from kinetruss.model.stops import Stop as Stop
-    from kinetruss.model.supports import Restraint as Restraint, Support as Support
+    from kinetruss.model.supports import Restraint as Restraint, Support as Support, support_words as support_words
     from kinetruss.model.table import Filled as Filled, ReadOnly as ReadOnly, Table as Table
     from kinetruss.model.targets import (
         TARGETS as TARGETS,

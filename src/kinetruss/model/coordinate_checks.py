@@ -15,6 +15,7 @@ from kinetruss.model.references import unknown_names
 if TYPE_CHECKING:
     from kinetruss.model.data import ModelData
     from kinetruss.model.joints import Joint
+    from kinetruss.model.whole import WholeModel
 
 
 ON_AXIS = 1e-9
@@ -22,13 +23,13 @@ ON_AXIS = 1e-9
 Path = tuple[Any, ...]
 
 
-def coupling_faults(model: ModelData) -> Iterator[Fault]:
+def coupling_faults(model: WholeModel) -> Iterator[Fault]:
     """Faults of couplings; dependent conditions are found by the rank of the equations."""
     for name, coupling in model.couplings.items():
         path = ("couplings", name)
         if name in model.all_drives or name in model.members:
             yield Fault(path, f"{name!r} is also the name of a drive or a member.", "Give the coupling another name.")
-        if not model.members:
+        if not model.members and name not in model.inner.couplings:
             yield Fault(path, "couples nodes of a model without bars.", "Give the model its bars.", about=(("bars",),))
         yield from sum_faults(model, coupling.terms, (*path, "terms"))
 
@@ -41,7 +42,7 @@ def element_faults(model: ModelData) -> Iterator[Fault]:
                 yield from one.faults(model, (field, name))
 
 
-def force_element_faults(model: ModelData) -> Iterator[Fault]:
+def force_element_faults(model: WholeModel) -> Iterator[Fault]:
     """Faults of elements with a law, and of the coordinates that they act on."""
     seen = dict[str, str]()
     for kind, field in FORCE_ELEMENTS.items():
@@ -52,7 +53,7 @@ def force_element_faults(model: ModelData) -> Iterator[Fault]:
                 yield Fault(path, words, f"Give the {kind} another name.")
             elif seen.setdefault(name, kind) != kind:
                 yield Fault(path, f"{name!r} is also the name of a {seen[name]}.", f"Give the {kind} another name.")
-            if not model.members:
+            if not model.members and name not in model.inner.elements:
                 yield Fault(path, "acts on nodes of a model without bars.", "Give the model its bars.", about=(("bars",),))
             if one.terms is not None:
                 yield from sum_faults(model, one.terms, (*path, "terms"))

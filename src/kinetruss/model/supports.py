@@ -289,6 +289,9 @@ def support_faults(model: WholeModel, dim: int) -> Iterator[Fault]:
             mend = "Give along: [.., .., ..], its axis x."
             yield Fault((*path, "turned"), "is one angle, but the support stands in space.", mend, about=(("nodes",),))
         yield from _axes(model, node, path)
+        if not model.members and any(own.node == node for own in model.inner.holdings):
+            words = "yields, is turned, settles or has a gap, in a model without bars."
+            yield Fault(path, words, "Fix the node, or give the model a bar, if only of kind: free.", about=(("bars",),))
         if one.turns_in(dim) and node not in model.inner.frames:
             held = [field for field in ("rotation", *TURNS) if getattr(one, field) is not None]
             mend = "Join a beam to it that is not released there, or leave the rotation free."

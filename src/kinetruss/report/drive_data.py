@@ -69,10 +69,11 @@ def element_loads(run: RunResult, kind: str) -> list[dict[str, Any]]:
         return _largest_results(run, kind)
     found = []
     for case, forces in run.forces.items():
-        if f"{kind}_force" not in forces.whole or not forces.whole.sizes["time"]:
+        data = forces.data  # without the springs and stops of supports, which reactions have
+        if f"{kind}_force" not in data or not data.sizes["time"]:
             continue
-        time, push, value = (forces.whole[name].values for name in ("time", f"{kind}_force", f"{kind}_value"))
-        for k, name in enumerate(map(str, forces.whole[kind].values)):
+        time, push, value = (data[name].values for name in ("time", f"{kind}_force", f"{kind}_value"))
+        for k, name in enumerate(map(str, data[kind].values)):
             at = place_of_largest(np.abs(push[:, k]))
             found.append(
                 {

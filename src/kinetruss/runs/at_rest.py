@@ -17,7 +17,7 @@ from kinetruss.mechanics.loads import case_loads
 from kinetruss.model import LengthDrive, Model
 from kinetruss.model.runs import FLEXIBLE
 from kinetruss.results import Forces, Motion, Result, Status, variable
-from kinetruss.results.wide_tables import force_units
+from kinetruss.results.wide_tables import coordinate_axes, force_units
 from kinetruss.runs.plans import Block, Plan, judged, poses_under
 
 if TYPE_CHECKING:
@@ -125,6 +125,8 @@ def _resting(model: Model, place: NDArray[np.float64]) -> Motion:
 def _forces(model: Model, found: Result, motion: Motion, case: str) -> Forces:
     """Forces of the stiffness method as of one pose at rest; those of drives of lengths are minus their tensions."""
     kept = ["member_force", "end_force", "joint_force", "reaction", "reaction_moment", "held_force"]
+    kept += ["reaction_own", "reaction_moment_own", "coupling_force"]
+    kept += [f"{kind}_{what}" for kind in coordinate_axes(compile(model)) for what in ("force", "value")]
     kept += ["displacement"] if any(beam.kind == "elastic" for beam in model.whole.beams.values()) else []
     data = _timed(found).whole
     data = data[[name for name in kept if name in data]]

@@ -16,7 +16,7 @@ from kinetruss.mechanics import System, compile, constraint_jacobian, ends_of
 from kinetruss.mechanics.accuracy import NOTHING, SILENT, accuracy_note
 from kinetruss.mechanics.arguments import number_of, positions_of
 from kinetruss.mechanics.balance import measure_forces
-from kinetruss.mechanics.elements import element_forces, named_laws, strained_forces
+from kinetruss.mechanics.elements import element_forces, named_laws, named_motions, strained_forces
 from kinetruss.mechanics.loads import Loads
 from kinetruss.mechanics.matrices import bar_laws, body_and_continua_mass
 from kinetruss.mechanics.rotations import rotation_axes, small_rotations
@@ -244,8 +244,15 @@ def _dataset(system: System, held: System, x: NDArray[np.float64], found: OneSid
         **support_axes(system),
         "end": ["A", "B"],
     }
-    coords |= coordinate_axes(system) | force_units(system, *coordinate_axes(system))[1]
-    data |= element_columns(system, (), on_coordinates)
+    axes = coordinate_axes(system)
+    if system.model.couplings:
+        axes = axes | {"coupling": list(system.model.couplings)}
+        units, words = force_units(system)[0]["coupling"], "force or torque on the coupled coordinate"
+        data["coupling_force"] = variable(("coupling",), _on_measures(held, total)[1], units, words)
+    coords |= axes | (force_units(system, *axes)[1] if axes else {})
+    if system.force_elements:
+        stretched = solved.elongation[element_rows(held)] / system.measure_scale[system.force_element_measure]
+        data |= element_columns(system, (), on_coordinates, named_motions(system, x[None]).value[0] + stretched)
     data |= rotation_columns(system, (), lambda: small_rotations(system, x, solved.displacement.reshape(-1, 3)))
     coords |= rotation_axes(system)
     displaced, axes = displaced_columns(system, x, solved.displacement.reshape(-1, 3))
