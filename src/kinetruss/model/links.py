@@ -207,7 +207,7 @@ def column_ends(model: Model, name: str) -> str | float:
     link = model.links[name]
     if link.buckling is not None:
         return link.buckling
-    held = {*model.fixed, *model.clamped}
+    held = {*model.fixed, *model.clamped, *model.supports}
     tables: tuple[Mapping[str, Record], ...] = (
         model.bars, model.active, model.beams, model.bodies, model.cylinders, model.springs, model.stops, model.drives,
         model.couplings, model.membranes, model.solids, {key: one for key, one in model.links.items() if key != name},

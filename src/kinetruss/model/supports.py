@@ -439,4 +439,5 @@ def straight(model: ModelData, node: str) -> bool:
 
 
 def _has_beam(model: ModelData, node: str) -> bool:
-    return any(node in beam.ends and node not in beam.release for beam in model.beams.values())
+    turning = any(node in beam.ends and node not in beam.release for beam in model.beams.values())
+    return turning or any(node in link.weld for link in model.links.values())

@@ -33,7 +33,7 @@ def not_held(model: Model, cases: Iterable[str]) -> tuple[NotOnBars, ...]:
     found = {}
     for case in cases:
         for one in not_on_bars(model, case):
-            if members := tuple(name for name in one.members if name in judged or name in model.beams):
+            if members := tuple(name for name in one.members if name in judged or name in model.bending):
                 found[one.kind, one.source, one.nodes] = NotOnBars(
                     source=one.source, kind=one.kind, nodes=one.nodes, members=members
                 )

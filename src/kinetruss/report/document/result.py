@@ -112,14 +112,17 @@ def assumptions(run: RunResult, record: dict[str, Any], finding: Finding, *, con
     return found
 
 
+UNSHEARED = "without shear deformation, unless their section has a shear coefficient or shear areas"
+
+
 def _assumed(run: RunResult, record: dict[str, Any], finding: Finding, *, condition: bool) -> Iterator[str]:
     model = run.model
     if run.forces and model.members:
         yield "Nodes are pins: no moment passes from bar to bar. Bars bend by their weight, inertia and the actions on them."
     if any(beam.kind == "elastic" for beam in model.beams.values()):
-        yield "Beams are elastic, without shear deformation. They share the rotation of a node, but for released ends."
+        yield f"Beams are elastic, {UNSHEARED}. They share the rotation of a node, but for released ends."
     if any(bends(model, link) for link in model.links.values()):
-        yield "Links are pinned at their nodes, unless welded there, and stiff between; they bend without shear deformation."
+        yield f"Links are pinned at their nodes, unless welded there, and stiff between; they bend {UNSHEARED}."
     if model.membranes or model.solids:
         yield "Membranes and solids are elastic (St Venant-Kirchhoff); membranes have no bending stiffness."
     if record["strength"]:

@@ -285,7 +285,7 @@ def _turned(run: RunResult) -> dict[str, Any]:
     """Angles of members, and their rates."""
     import xarray as xr
 
-    names = [*run.model.members, *run.model.beams]
+    names = [*run.model.members, *run.model.bending]
     series = np.array(angle_histories(run, names))
     over = {"time": run.motion.whole["time"], "member": np.array(names, dtype=object).astype(str)}
     words = {"angle": "rad", "angular_velocity": "rad/s", "angular_acceleration": "rad/s^2"}
