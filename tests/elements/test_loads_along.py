@@ -216,7 +216,7 @@ def test_a_beam_turned_by_a_load_in_its_axes():
             kt.MemberLoad(member="bar", force=(0, 1), start=1.5, end=1.0),
             r"loads\.q\.start: is 1.5 m, not before the end",
         ),
-        (kt.MemberLoad(member="bra", force=(0, 1)), r"loads\.q\.member: no bar, active member or beam called 'bra'.*bar"),
+        (kt.MemberLoad(member="bra", force=(0, 1)), r"loads\.q\.member: no bar, active member, beam or link called 'bra'.*bar"),
         (kt.MemberLoad(member="bar", force=(0, 1, 2)), r"loads\.q\.force: has 3 components"),
     ],
 )

@@ -368,7 +368,7 @@ def active_with(**load):
     [
         (kt.MemberPointForce(member="bar", force=(0, 1), at=2.1), r"loads\.q\.at: is 2.1 m along 'bar', which is 2 m long"),
         (kt.MemberPointCouple(member="bar", moment=1, at=2.1), r"loads\.q\.at: is 2.1 m along 'bar'"),
-        (kt.MemberPointForce(member="bra", force=(0, 1), at=1), r"no bar, active member or beam called 'bra'.*'bar'"),
+        (kt.MemberPointForce(member="bra", force=(0, 1), at=1), r"no bar, active member, beam or link called 'bra'.*'bar'"),
         (kt.MemberPointForce(member="bar", force=(0, 1, 2), at=1), r"loads\.q\.force: has 3 components"),
         (kt.MemberPointCouple(member="bar", moment=(0, 1, 2), at=1), r"loads\.q\.moment: is three numbers"),
         (
@@ -503,3 +503,47 @@ def test_loads_at_places_at_poses_and_in_a_run(tmp_path):
     page = (tmp_path / "report.html").read_text(encoding="utf-8")
     for words in ("47.77 N/m", "900 N", "25 %", "along members parts of the whole"):
         assert words in page.replace("\N{NO-BREAK SPACE}", " "), words
+
+
+@pytest.mark.parametrize("angle", [0.0, 0.7])
+@pytest.mark.parametrize("dim", [2, 3])
+def test_a_load_along_the_axis_of_a_beam_is_shared_as_its_strain_is_uniform(angle, dim):
+    """Clamped at both ends: u = int N/EA gives P b/L and P a/L of a force, 1/3 and 2/3 of a triangle; free: u(L) = P a/EA."""
+    e, across = np.array([np.cos(angle), np.sin(angle), 0.0])[:dim], np.array([-np.sin(angle), np.cos(angle), 0.0])[:dim]
+    part = kt.Model(nodes={"A": (0.0,) * dim, "B": tuple(L * e)}, clamped=["A", "B"], beams={"arm": ("A", "B")}, **RODS)
+    triangle = part.with_(loads={"q": kt.MemberLoad(member="arm", force=tuple(600 * e), shape=(0, 1))})
+    found = kt.statics.linear(triangle)
+    np.testing.assert_allclose(found.reaction.values @ e, [-200.0, -400.0], rtol=1e-9)
+    N = kt.strength.beams(triangle, found, stations=[0.0, 0.5, 1.0]).section_T.values[0]
+    np.testing.assert_allclose(N, [200.0, 50.0, -400.0], rtol=1e-8)
+    slanting = part.with_(loads={"F": kt.MemberPointForce(member="arm", force=tuple(600 * e - 300 * across), at=0.25 * L)})
+    found = kt.statics.linear(slanting)
+    np.testing.assert_allclose(found.reaction.values @ e, [-450.0, -150.0], rtol=1e-9)
+    np.testing.assert_allclose(found.reaction.values @ across, [300 * 0.84375, 300 * 0.15625], rtol=1e-9)
+    free = kt.statics.linear(slanting.with_(clamped=["A"]))
+    EA = 200e9 * np.pi * 0.02**2 / 4
+    assert free.displacement.sel(node="B").values @ e == pytest.approx(600 * 0.25 * L / EA, rel=1e-9)
+    deflected = kt.strength.beams(slanting, found, stations=[0.25]).displacement.values[0, 0] @ e
+    assert deflected == pytest.approx(600 * 0.25 * 0.75 * L / EA, rel=1e-8)
+
+
+def test_a_force_at_a_place_of_a_bent_link_does_the_work_of_that_place():
+    """Clapeyron: the sum of reactions is the load, and displacement under the load = 2 strain energy over the load."""
+    model = kt.Model(
+        nodes={"A": (0, 0), "B": (1, 1), "C": (3, 1)}, fixed=["A", "C"], links={"knee": ("A", "B", "C")},
+        loads={"F": kt.MemberPointForce(member="knee", force=(300.0, -400.0), at=2.0)}, **RODS,
+    )  # fmt: skip
+    rest = kt.statics.linear(model)
+    np.testing.assert_allclose(rest.reaction.sum("support").values, [-300.0, 400.0], rtol=1e-9)
+    split = (1.0 + (2.0 - np.sqrt(2.0)), 1.0)
+    divided = model.with_(
+        nodes={**model.nodes, "D": split}, links={"knee": ("A", "B", "D", "C")},
+        loads={"F": kt.NodalForce(node="D", force=(300.0, -400.0))},
+    )  # fmt: skip
+    other = kt.statics.linear(divided)
+    np.testing.assert_allclose(rest.reaction.values, other.reaction.values, rtol=1e-8)
+    place = 2.0 / (2.0 + np.sqrt(2.0))
+    own = kt.strength.beams(model, rest, stations=[0.2, place, 0.9])
+    nodal = kt.strength.beams(divided, other, stations=[0.2, place, 0.9])
+    np.testing.assert_allclose(own.section_M.values, nodal.section_M.values, rtol=1e-7, atol=1e-7)
+    np.testing.assert_allclose(own.displacement.values[:, 1], nodal.displacement.values[:, 1], rtol=1e-7)

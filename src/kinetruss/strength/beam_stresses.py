@@ -49,7 +49,7 @@ def beams(
     along global axes (moment in the plane: about z). ``displacement`` (beam, station, axis) m: of the axis from the model's
     straight beam, global axes; ``deflection`` (beam, station, transverse) m: of the axis from the line of both ends, of a link
     from that of two pins that follow each other, along local axes 2 (, 3). Both are exact for small displacements under any
-    load across the beam, and uniform ones along it; NaN of beams that keep their shape. Stations of a link count along it from
+    load between the ends; NaN of beams that keep their shape. Stations of a link count along it from
     its first node; at a pin it has the side with the larger stress. With links ``pin_force`` (pin, axis) N, by the nodes on
     links, global axes; pins are called ``LINK.NODE``.
 

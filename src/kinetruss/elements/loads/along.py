@@ -48,8 +48,9 @@ MEMBER, GLOBAL, SHADOW = 0, 1, 2
 @record
 class Turned(Record):
     """axis (k,) 0, 1, 2 along which load k acts; mode (k,) MEMBER, GLOBAL or SHADOW; planar (k,). node[ptr[k]:ptr[k + 1]] flat
-    coordinates of its nodes, with data (nodes, 3): w, and the factors of d and h; reference (k, 3) the constant part of h, of
-    SHADOW e; rods (k, 3) t, L a and L c of a load on an active member, t = 0 of others. value at time, s, from table_ptr[k] on.
+    coordinates of its nodes, with data (nodes, 5): w, the factors of d and h, and of end A of a beam what its end B takes
+    besides of the part along the beam, with the index of B; reference (k, 3) the constant part of h, of SHADOW e; rods (k, 3)
+    t, L a and L c of a load on an active member, t = 0 of others. value at time, s, from table_ptr[k] on.
     """
 
     axis: I1
@@ -63,6 +64,10 @@ class Turned(Record):
     data: F2
     reference: F2
     rods: F2
+
+
+ROUNDING = 1e-14
+"""Share of a load below which it is 0."""
 
 
 @kernel_bare
@@ -105,6 +110,16 @@ def _axis(s: Turned, k: int, d: Vector, x: F1) -> Vector:
     return uy * hz - uz * hy, uz * hx - ux * hz, ux * hy - uy * hx
 
 
+@kernel_bare
+def _push(A: int, B: int, share: float, q: Vector, x: F1, f: F1) -> None:
+    """Move a share of the part of q along A-B from A to B."""
+    dx, dy, dz = x[B] - x[A], x[B + 1] - x[A + 1], x[B + 2] - x[A + 2]
+    push = share * (q[0] * dx + q[1] * dy + q[2] * dz) / (dx * dx + dy * dy + dz * dz)
+    for j, d in ((0, dx), (1, dy), (2, dz)):
+        f[A + j] -= push * d
+        f[B + j] += push * d
+
+
 @kernel
 def force(s: Turned, t: float, x: F1, v: F1, f: F1) -> None:  # noqa: ARG001
     """As kernels.structure.element_table.force."""
@@ -118,6 +133,9 @@ def force(s: Turned, t: float, x: F1, v: F1, f: F1) -> None:  # noqa: ARG001
             f[at] += share * qx
             f[at + 1] += share * qy
             f[at + 2] += share * qz
+        for i in range(s.ptr[k], s.ptr[k + 1]):
+            if s.data[i, 3] != 0.0:
+                _push(s.node[i], s.node[s.ptr[k] + int(s.data[i, 4])], amount * s.data[i, 3], (qx, qy, qz), x, f)
         if s.rods[k, 0] > 0.0:
             square = d[0] * d[0] + d[1] * d[1] + d[2] * d[2]
             nut, a, c = max(0.0, 1.0 - s.rods[k, 0] / math.sqrt(square)), s.rods[k, 1], s.rods[k, 2]
@@ -147,10 +165,15 @@ class TurnedLoad(UnitLoad):
 
     def forces(self, r: NDArray[Any]) -> NDArray[Any]:
         """As UnitLoad.forces."""
-        share, along, across = self.data.T
+        share, along, across, besides, partner = self.data.T
         d = np.einsum("j,...jc->...c", along, r)
         q = self._direction(d, np.einsum("j,...jc->...c", across, r))
         found = share[:, None] * q[..., None, :]
+        for A in np.flatnonzero(besides != 0.0):
+            B = int(partner[A].real)
+            e = r[..., B, :] - r[..., A, :]
+            push = (besides[A] * np.sum(q * e, axis=-1) / np.sum(e * e, axis=-1))[..., None] * e
+            found = found + (np.eye(len(share))[B] - np.eye(len(share))[A])[:, None] * push[..., None, :]
         if self.rods[0]:
             t, a, c = self.rods
             length = size(d)
@@ -274,8 +297,8 @@ def _along_bar(system: System, load: Any) -> tuple[NDArray[np.int64], NDArray[np
     node, reference = orientation(system)
     nodes = [system.p[i], system.q[i], *([] if node[i] < 0 else [node[i]])]
     first, second = np.sum(q * (1.0 - xi), axis=-1), np.sum(q * xi, axis=-1)
-    data = np.zeros((*np.shape(first), 3, 3), np.result_type(first))
-    data[...] = [[0.0, -1.0, -1.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]]
+    data = np.zeros((*np.shape(first), 3, 5), np.result_type(first))
+    data[..., :3] = [[0.0, -1.0, -1.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]]
     data[..., 0, 0], data[..., 1, 0] = first, second
     data = data[..., : len(nodes), :]
     if node[i] < 0:
@@ -310,7 +333,11 @@ def _units(
     axes = np.eye(3)
     shadow, rods = _shadow(load), _rods(system, load)
     mode = MEMBER if load.axes == "member" else GLOBAL if shadow is None else SHADOW
-    if mode != GLOBAL or rods.any():
+    if (
+        mode != GLOBAL
+        or rods.any()
+        or chosen(data[..., 3] != 0.0, "loads whose parts along and across a beam are shared alike").any()
+    ):
         own: dict[str, Any] = {
             "mode": mode,
             "planar": int(system.dim == 2),
@@ -331,12 +358,14 @@ def _joined(
     if len(parts) == 1:
         return parts[0]
     nodes = np.unique(np.concatenate([own for own, *_ in parts]))
-    data = np.zeros((*parts[0][1].shape[:-2], len(nodes), 3), parts[0][1].dtype)
+    data = np.zeros((*parts[0][1].shape[:-2], len(nodes), 5), parts[0][1].dtype)
     for k, (own, given, _) in enumerate(parts):
         at = np.searchsorted(nodes, own)
         data[..., at, 0] += given[..., 0]
         if not k:
-            data[..., at, 1:] = given[..., 1:]
+            data[..., at, 1:3] = given[..., 1:3]
+        # each part has an end A of its own
+        data[..., at[0], 3], data[..., at[0], 4] = given[..., 0, 3], at[len(own) // 2]
     return nodes, data, parts[0][2]
 
 
@@ -346,7 +375,12 @@ def _along_beam(system: System, one: OnBeam) -> tuple[NDArray[np.int64], NDArray
     v = beams.nodes.shape[1]
     across = beams.axes[..., one.beam, 1, :] + beams.ends[..., one.beam, 1, :]
     along = np.broadcast_to(np.eye(v)[v // 2] - np.eye(v)[0], across.shape)
-    return beams.nodes[one.beam], np.stack([one.shares(beams), along, across], axis=-1), np.zeros(3)
+    share, first = one.shares(beams), np.eye(v)[0]
+    # what is along the beam is shared by 1 - xi and xi, as its strain is uniform, and not by Hermite's polynomials
+    besides = np.asarray(one.over(beams, lambda xi: xi[..., None]))[..., 0] - share[..., v // 2 :].sum(axis=-1)
+    besides = besides - np.where(abs(besides.real) > ROUNDING * abs(share).max(), 0.0, besides.real)
+    columns = np.broadcast_arrays(share, along, across, besides[..., None] * first, v // 2 * first)
+    return beams.nodes[one.beam], np.stack(columns, axis=-1), np.zeros(3)
 
 
 def _couples(system: System, load: Any) -> tuple[UnitLoad, ...]:
