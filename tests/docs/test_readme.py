@@ -130,6 +130,12 @@ def test_result_names_of_the_notation_are_real():
         material="steel_s235", loads={"F": kt.NodalForce(node="B", force=(0, -1))},
     )  # fmt: skip
     known |= {str(name) for name in kt.statics.linear(cantilever).data.data_vars}
+    clamp = kt.Support(x="held", y="held", z="held", rotation="held", along=(1, 1, 0))
+    leaning = cantilever.with_(
+        nodes={"A": (0, 0, 0), "B": (1, 0, 0)}, clamped=[], supports={"A": clamp},
+        loads={"F": kt.NodalForce(node="B", force=(0, -1, 0))},
+    )  # fmt: skip
+    known |= {str(name) for name in kt.statics.linear(leaning).data.data_vars}
     table = (ROOT / "docs" / "notation.md").read_text(encoding="utf-8")
     first = [line.split("|")[1] for line in table.splitlines() if line.startswith("| `")]
     for name in re.findall(r"`([a-z]\w+)`", " ".join(first)):
