@@ -371,8 +371,20 @@ def flexible() -> Numbers:
     return found
 
 
+def supports() -> Numbers:
+    """Values over their closed forms are 1; Euler's factors are 1/4, 1, (z/pi)^2 with tan z = z, and 4."""
+    z = 4.5
+    for _ in range(20):  # Newton's method on sin z - z cos z
+        z -= (math.sin(z) - z * math.cos(z)) / (z * math.sin(z))
+    names = ("settled.prop", "settled.clamp", "settled.turned", "yielding.deflection", "yielding.prop", "foot.foot")
+    found = dict.fromkeys((*names, "one_sided.gap", "one_sided.lifted", "one_sided.slope", "euler.pinned"), 1.0)
+    found |= {"euler.clamped_free": 0.25, "euler.clamped_pinned": (z / math.pi) ** 2, "euler.clamped": 4.0}
+    return {f"supports.{name}": value for name, value in found.items()}
+
+
 ALL: tuple[Callable[[], Numbers], ...] = (
     planar_body,
+    supports,
     barycentric,
     twists,
     euler_top,
