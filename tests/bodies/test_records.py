@@ -92,7 +92,7 @@ def test_units_in_files(tmp_path):
 FAULTS = [
     ({"nodes": ("O", "X", "Y", "R")}, "'O', 'X', 'Y', 'R' lie in one plane", "Add a node beside them to the model"),
     ({"nodes": ("O", "X", "Y", "R", "P")}, "lie in one plane", 'Take others: carriers=["X", "Y", "R", "P"].'),
-    ({"nodes": ("O", "X", "S")}, "'O', 'X', 'S' lie on one line", "a straight link of beams in place of the body: O-X, X-S;"),
+    ({"nodes": ("O", "X", "S")}, "'O', 'X', 'S' lie on one line", 'in place of the body (links={"b": ["O", "X", "S"]})'),
     ({"nodes": ("O", "X", "S", "S2")}, "'O', 'X', 'S', 'S2' lie on one line", "Add two nodes beside them"),
     ({"nodes": ("O", "X", "S", "S2"), "carriers": ("O", "S2")}, "has 4 nodes on one line", "they need no mass"),
     ({"nodes": ("O", "X", "Y", "X2")}, "'X' and 'X2' stand almost at one place, 1.0e-09 m apart", "Add a node beside them"),

@@ -82,7 +82,7 @@ def test_a_beam_under_a_temperature_is_refused() -> None:
         runs={"stand": kt.Run(analysis="statics.linear", condition="hot")},
     )
     for asked in (lambda: kt.under(model, "hot"), lambda: kt.run(model, "stand")):
-        with pytest.raises(kt.InputError, match="'b' is a beam, which has no thermal strain here"):
+        with pytest.raises(kt.InputError, match="'b' is a beam or a link, which has no thermal strain here"):
             asked()
 
 

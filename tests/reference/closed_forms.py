@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import cmath
+import itertools
 import math
 from collections.abc import Callable
 
@@ -382,9 +383,47 @@ def supports() -> Numbers:
     return {f"supports.{name}": value for name, value in found.items()}
 
 
+def loads() -> Numbers:
+    """A force and a couple at a = L/4 of a beam; rafters with three hinges under snow; combinations, one by one."""
+    a, b = 0.25, 0.75
+    found = {"force": a**2 * (3 - a) / 6, "force.clamp.near": a * b**2, "force.clamp.far": a**2 * b, "force.jump": 1.0}
+    found |= {"couple": a * (1 - a / 2), "couple.clamp.near": abs(b * (2 * a - b)), "couple.clamp.far": a * (2 * b - a)}
+    found = {f"beams.at_a_place.{name}": value for name, value in (found | {"couple.jump": 1.0}).items()}
+    # half of s l down on each rafter at l/4 from the ridge: H f = (s l/2) l/2 - (s l/2) l/4; (s cos) (l/2 / cos)^2/8 cos
+    found |= {"bars.snow.reaction": 0.5, "bars.snow.thrust": 0.25 - 0.125, "bars.snow.moment": 0.5**2 / 8}
+    down, across = {"Q": 6.0, "S": 4.0, "W": 0.0}, {"Q": 0.0, "S": 0.0, "W": 5.0}
+    later = {"Q": 0.7, "S": 0.5, "W": 0.6}  # psi_0 of category B, of snow up to 1000 m, of wind
+    en = []
+    for dead in (1.35, 1.0):
+        en.append((10 * dead, 0.0))
+        for several in range(1, 4):
+            for chosen in itertools.combinations("QSW", several):
+                for leading in chosen:
+                    factor = {one: 1.5 if one == leading else 1.5 * later[one] for one in chosen}
+                    en.append(
+                        (10 * dead + sum(f * down[c] for c, f in factor.items()), sum(f * across[c] for c, f in factor.items()))
+                    )
+    # 1: 1.4 D; 2: 1.2 D + 1.6 L (+ 0.5 S); 3: 1.2 D + 1.6 S (+ L or 0.5 W); 4: 1.2 D + W (+ L) (+ 0.5 S); 5: 0.9 D + W
+    asce = [(14.0, 0.0), (12 + 9.6, 0.0), (12 + 9.6 + 2, 0.0), (12 + 6.4, 0.0), (12 + 6.4 + 6, 0.0), (12 + 6.4, 2.5)]
+    asce += [(12 + live + snow, 5.0) for live in (0.0, 6.0) for snow in (0.0, 2.0)] + [(9.0, 5.0)]
+    for name, rows in (("en", en), ("asce", asce)):
+        most, wide = (max(row[k] for row in rows) for k in (0, 1))
+        own = {"count": len(rows), "most": most, "least": min(row[0] for row in rows), "across": wide}
+        found |= {f"loads.combinations.{name}.{key}": float(value) for key, value in own.items()}
+    return found
+
+
+def links() -> Numbers:
+    """Values over their closed forms are 1; the bell crank turns a force of 0.3 m into one of 0.2 m."""
+    names = ("push", "pin_moment", "overhang", "pendulum.period")
+    return {f"links.{name}": 1.0 for name in names} | {"links.bell_crank": 0.3 / 0.2}
+
+
 ALL: tuple[Callable[[], Numbers], ...] = (
     planar_body,
     supports,
+    loads,
+    links,
     barycentric,
     twists,
     euler_top,

@@ -72,6 +72,7 @@ WALK = {
     "kinematics.member_rates": lambda f: kt.kinematics.member_rates(MODEL, f.motion),
     "kinematics.platform": lambda f: kt.kinematics.platform(MODEL, f.motion, FEET),
     "kinematics.platform_jacobian": lambda f: kt.kinematics.platform_jacobian(MODEL, FEET, f.motion),
+    "kinematics.quantities": lambda f: kt.kinematics.quantities(MODEL, f.motion, {"height": "C.z"}),
     "kinematics.pose": lambda f: kt.kinematics.pose(MODEL, f.motion, FEET),
     "dynamics.free_body": lambda f: kt.report.explain(kt.dynamics.free_body(MODEL, f.motion, f, node="C")).text,
     "dynamics.inverse": lambda f: kt.dynamics.inverse(MODEL, f.motion),

@@ -112,7 +112,7 @@ def runs(context: click.Context) -> Iterable[str]:
 @_offered
 def cases(context: click.Context) -> Iterable[str]:
     """Load cases of the model."""
-    return [*_names(context, "cases"), *_names(context, "combinations")]
+    return [*_names(context, "load_cases"), *_names(context, "combinations")]
 
 
 @_offered

@@ -13,7 +13,8 @@ from kinetruss.design.choices import Plan, with_tubes
 from kinetruss.errors import AnalysisError, InputError
 from kinetruss.kernels.sections.records import Polynomials
 from kinetruss.kernels.sections.sizing import assess, scan
-from kinetruss.model import Active, Mission, Model, acting_cases
+from kinetruss.model import Active, Mission, Model
+from kinetruss.model.load_cases import acting_cases
 from kinetruss.model.runs import FLEXIBLE, MISSION, STATIC
 from kinetruss.results import Forces, Motion, Row, Verdict
 from kinetruss.runs.plans import SIMULATED, plan

@@ -15,7 +15,8 @@ from kinetruss.kernels.structure.structure import LENGTH
 from kinetruss.kinematics import follow, sample
 from kinetruss.mechanics import System, compile
 from kinetruss.mechanics.arguments import number_of
-from kinetruss.model import Bar, Free, Model, bends
+from kinetruss.model import Bar, Free, Model
+from kinetruss.model.links import bends
 from kinetruss.results import Simulation
 from kinetruss.threads import one_thread
 

@@ -48,7 +48,7 @@ def schema() -> dict[str, Any]:
         records[name] = {"anyOf": [records[name], records[name]["properties"]["ends"]]}
     records["Quantity"] = {"anyOf": [records["Quantity"], records["Quantity"]["properties"]["value"]]}
     held = records["Restraint"]
-    records["Restraint"] = {"anyOf": [{"enum": ["held", "free"]}, held, held["properties"]["stiffness"]["anyOf"][0]]}
+    records["Restraint"] = {"anyOf": [held, {"enum": ["held", "free"]}, held["properties"]["stiffness"]["anyOf"][0]]}
     properties = made["properties"]
     listed = {"type": "array", "items": {"type": "string", **properties["nodes"]["propertyNames"]}}
     for name in ("fixed", "clamped"):

@@ -15,18 +15,8 @@ from kinetruss.kinematics.sampling import Sampled, sample, start_values
 from kinetruss.kinematics.turns import halved
 from kinetruss.mechanics import System, cached, compile
 from kinetruss.mechanics.transfer import flat_positions
-from kinetruss.model import (
-    Bar,
-    Condition,
-    LengthDrive,
-    LoadCase,
-    Model,
-    NodalForce,
-    bends,
-    condition_faults,
-    natural_length,
-    nearest,
-)
+from kinetruss.model import Bar, Condition, LengthDrive, LoadCase, Model, NodalForce, condition_faults, natural_length, nearest
+from kinetruss.model.links import bends
 from kinetruss.model.references import names_in
 from kinetruss.results import Motion
 

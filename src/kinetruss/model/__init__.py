@@ -51,19 +51,12 @@ if TYPE_CHECKING:
     from kinetruss.model.links import (
         Link as Link,
         Piece as Piece,
-        bends as bends,
-        column_ends as column_ends,
-        is_straight as is_straight,
-        length_along as length_along,
-        piece_at as piece_at,
     )
     from kinetruss.model.load_cases import (
         Asce7 as Asce7,
         Combination as Combination,
         En1990 as En1990,
         LoadCase as LoadCase,
-        acting_cases as acting_cases,
-        sets_of as sets_of,
     )
     from kinetruss.model.load_checks import loads_along_beams as loads_along_beams
     from kinetruss.model.loads import (

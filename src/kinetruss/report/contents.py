@@ -15,11 +15,12 @@ from kinetruss.errors import one_line
 from kinetruss.kinematics import mobility
 from kinetruss.library.bodies import properties_of
 from kinetruss.library.joints import conditioning
-from kinetruss.model import ALONG, sets_of
+from kinetruss.model import ALONG
 from kinetruss.model.beam_frames import frame_of
 from kinetruss.model.bodies import principal, quality
 from kinetruss.model.data import ELEMENT_FIELDS
 from kinetruss.model.links import length_along
+from kinetruss.model.load_cases import sets_of
 from kinetruss.report.document.inputs import worded
 from kinetruss.report.page import Page
 

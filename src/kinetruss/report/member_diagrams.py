@@ -13,7 +13,8 @@ from kinetruss.display import instant, quantity
 from kinetruss.display.ranks import largest, largest_first
 from kinetruss.errors import InputError
 from kinetruss.mechanics import compile
-from kinetruss.model import bends, nearest
+from kinetruss.model import nearest
+from kinetruss.model.links import bends
 from kinetruss.strength.beam_spans import spans_of
 from kinetruss.strength.beam_verdict import chords_of
 

@@ -14,7 +14,8 @@ import xarray as xr
 from kinetruss.display import counted
 from kinetruss.display.ranks import place_of_largest
 from kinetruss.errors import InputError, StoreError
-from kinetruss.model import Model, Run, acting_cases
+from kinetruss.model import Model, Run
+from kinetruss.model.load_cases import acting_cases
 from kinetruss.model.runs import MISSION
 from kinetruss.results import Motion, Status, variable
 from kinetruss.results.lock import is_locked

@@ -14,7 +14,8 @@ from kinetruss.errors import AnalysisError, InputError
 from kinetruss.kinematics import conditions
 from kinetruss.kinematics.time_tables import check_supports
 from kinetruss.limits import whole
-from kinetruss.model import Condition, Free, Hold, Model, Quintic, Run, acting_cases
+from kinetruss.model import Condition, Free, Hold, Model, Quintic, Run
+from kinetruss.model.load_cases import acting_cases
 from kinetruss.model.runs import FLEXIBLE, MISSION, STANDING
 from kinetruss.results import Demand, Forces, Motion, Result, Sections, Simulation, Verdict
 

@@ -33,6 +33,9 @@ PULLS = 1e-9
 WEAK = 1e-6
 """Fraction of its stiffness that a row without force has while it is looked for what it touches."""
 
+FAR = 0.01
+"""What a mechanism may move until something holds it, of its size: displacements are small."""
+
 MOST = 100
 """Largest number of solutions, and of changes of one row at a time for each row."""
 
@@ -140,18 +143,22 @@ def solve_one_sided(
 
     Raises
     ------
-    InputError : as `solve`; the message names slack members.
+    InputError : as `solve`; the message names slack members. A mechanism that moves far until it is held is one.
     AnalysisError : no set is consistent.
     """
     kinks, given = kinks_of(held, x, flexible), given_displacements(held, x)
     known = held, x, flexible, tension, load, kinks, given
     try:
         return _searched(*known, kinks.before)[0]
-    except InputError:
+    except InputError as loose:
         if not len(kinks.row):
             raise
-    # a mechanism until some of them touch: where it goes is found with weak springs in place of nothing
-    return _searched(*known, _searched(*known, kinks.before, WEAK)[1])[0]
+        # a mechanism until some of them touch: where it goes is found with weak springs in place of nothing
+        found, state = _searched(*known, _searched(*known, kinks.before, WEAK)[1])
+        way = np.where(state > 0, kinks.upper, np.where(state < 0, kinks.lower, 0.0))
+        if np.abs(way).max() > FAR * np.ptp(x, axis=0).max():
+            raise loose from None
+        return found
 
 
 def _searched(

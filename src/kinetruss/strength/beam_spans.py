@@ -8,7 +8,8 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from kinetruss.mechanics import System, cached
-from kinetruss.model import Piece, bends, length_along
+from kinetruss.model import Piece
+from kinetruss.model.links import bends, length_along
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray

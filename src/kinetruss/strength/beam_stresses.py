@@ -13,7 +13,8 @@ from kinetruss.errors import InputError
 from kinetruss.mechanics import System, compile
 from kinetruss.mechanics.beam_forces import deflections, section_forces
 from kinetruss.mechanics.loads import case_loads
-from kinetruss.model import Model, Piece, bends
+from kinetruss.model import Model, Piece
+from kinetruss.model.links import bends
 from kinetruss.results import Forces, Result, variable
 from kinetruss.strength.beam_spans import Spans, spans_of
 from kinetruss.strength.element_stresses import positions_of

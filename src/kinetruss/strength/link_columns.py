@@ -9,7 +9,8 @@ from typing import TYPE_CHECKING, cast
 import numpy as np
 
 from kinetruss.mechanics import System, cached
-from kinetruss.model import Link, column_ends, is_straight
+from kinetruss.model import Link
+from kinetruss.model.links import column_ends, is_straight
 from kinetruss.strength.beam_spans import spans_of
 from kinetruss.strength.critical_loads import amplification, critical_load, euler_load
 

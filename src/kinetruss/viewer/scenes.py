@@ -14,7 +14,8 @@ from kinetruss.elements.continua_arrays import skin_of
 from kinetruss.errors import AnalysisError, InputError
 from kinetruss.kinematics.own_motion import check_motion
 from kinetruss.mechanics import compile
-from kinetruss.model import Model, nearest, piece_at
+from kinetruss.model import Model, nearest
+from kinetruss.model.links import piece_at
 from kinetruss.results import Forces, Motion, Result, Simulation, Status
 from kinetruss.results.records import check_samples
 from kinetruss.results.wide_tables import NOT_CHECKED

@@ -8,7 +8,8 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from kinetruss.display import DRIVEN, instant, number, quantity
-from kinetruss.model import Pressure, piece_at
+from kinetruss.model import Pressure
+from kinetruss.model.links import piece_at
 from kinetruss.report.document.run_pictures import lines_of
 from kinetruss.report.entries import Figure
 from kinetruss.report.pictures.drawing import drawn, round_length

@@ -13,9 +13,11 @@ from kinetruss.display import Table, counted, quantity
 from kinetruss.display.tables import measured, together, words
 from kinetruss.mechanics import compile
 from kinetruss.mechanics.matrices import mass_matrix
-from kinetruss.model import Active, Link, Model, Of, Record, Run, length_along, sets_of
+from kinetruss.model import Active, Link, Model, Of, Record, Run
 from kinetruss.model.data import ELEMENT_FIELDS, FORCE_ELEMENTS
 from kinetruss.model.in_time import MomentOf
+from kinetruss.model.links import length_along
+from kinetruss.model.load_cases import sets_of
 from kinetruss.model.loads_along import PlaceOf
 from kinetruss.model.supports import support_words
 from kinetruss.report.tables import METHODS

@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, Any
 
 from kinetruss.display import Markup, counted, element, instant, moment, number, quantity
 from kinetruss.display.ranks import largest
-from kinetruss.model import bends
+from kinetruss.model.links import bends
 from kinetruss.report.drive_data import exceeded
 from kinetruss.report.tables import cased, is_over, is_single, not_checked, share_of, used_of
 from kinetruss.runs import MissionRun

@@ -13,7 +13,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from kinetruss.display import Markup, element, quantity
-from kinetruss.model import bends
+from kinetruss.model.links import bends
 from kinetruss.report.document.diagram_pages import drawn, scales_of
 from kinetruss.report.entries import Figure
 from kinetruss.report.member_diagrams import governing_diagrams

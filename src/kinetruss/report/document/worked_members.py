@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from kinetruss import strength
-from kinetruss.model import column_ends, length_along
+from kinetruss.model.links import column_ends, length_along
 from kinetruss.report.document.places import Cut, constants, cuts, largest_shear, made_of, without_round_off
 from kinetruss.report.document.sheets import Sheet
 from kinetruss.strength.beam_verdict import beam_histories, beam_parts
