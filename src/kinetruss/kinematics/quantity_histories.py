@@ -165,7 +165,7 @@ def _flat(system: System, values: Array) -> Array:
     """(times, 3 n) of vectors of all nodes (times, n, dim)."""
     if values.shape[1] != len(system.nodes):
         raise InputError(f"The result has {values.shape[1]} nodes, the model {len(system.nodes)}. Give a result of this model.")
-    return np.pad(values, ((0, 0), (0, 0), (0, 3 - system.dim))).reshape(len(values), -1)
+    return np.pad(values, ((0, 0), (0, 0), (0, 3 - system.dim))).reshape(len(values), 3 * values.shape[1])
 
 
 def _coefficients(x: Array, v: Array | None, a: Array | None) -> Array:
@@ -231,6 +231,8 @@ def _counted(bare: Array, series: Array, time: Array | None, start: Array | None
     """Whole turns (angles, times) that are added to angles from -pi to pi, so that they count on: between two instants by the
     change that their rates give, h (w_0 + w_1)/2 + h^2 (b_0 - b_1)/12; NaN from where this cannot tell.
     """
+    if not bare.shape[1]:
+        return np.zeros_like(bare)
     first = np.zeros(len(bare)) if start is None else np.nan_to_num(np.rint((start - bare[:, 0]) / TURN))
     if time is None or bare.shape[1] < 2:
         if start is None or time is not None:
