@@ -1,0 +1,65 @@
+"""Examples of everyday machines: the answer that each gives, one of its forces by hand, and what the page of examples says."""
+
+from __future__ import annotations
+
+import re
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+import pytest
+
+import kinetruss as kt
+
+pytestmark = pytest.mark.slow
+
+PAGE = (Path(__file__).parents[2] / "docs" / "examples.md").read_text(encoding="utf-8")
+g = 9.81
+
+
+def ran(name: str, samples: int) -> Any:
+    """The first run of an example, with few samples."""
+    model = kt.read(kt.library.example_files()[name][0])
+    run = next(iter(model.runs))
+    return kt.run(model.with_(runs={**model.runs, run: model.runs[run].with_(samples=samples)}), run)
+
+
+def said(name: str) -> str:
+    """The row of an example on the page."""
+    return re.search(rf"^\| \[?`{name}`.*$", PAGE, re.MULTILINE)[0]
+
+
+def quantity(run: Any, name: str) -> np.ndarray:
+    """The values of a quantity over time."""
+    return next(iter(run.quantities.values())).value.sel(quantity=name).values
+
+
+def test_scissor_lift():
+    """s^2 = 0.09 x^2 + 0.25 h^2 and x^2 + h^2 = 4 m^2: F = W dh/ds = W s/(0.16 h)."""
+    run = ran("scissor_lift", 5)
+    h = quantity(run, "height")
+    legs = 2 * 2.0 * 0.06 * 0.12 * kt.library.materials.STEEL_S355.density
+    thrust = g * (1150 + legs / 2 + 40 * 0.35) * np.sqrt(0.36 + 0.16 * h**2) / (0.16 * h)
+    np.testing.assert_allclose(quantity(run, "thrust"), thrust, rtol=1e-12)
+    for case in ("middle", "edge"):  # where the load stands is nothing to the cylinder: the table stays level
+        np.testing.assert_allclose(run.forces[case].drive_force.sel(drive="cylinder"), thrust, rtol=2e-4)
+    assert run.finding.state == "ok"
+    assert f"{quantity(run, 'pressure').max():.0f} bar" in said("scissor_lift")
+
+
+def test_loader_crane():
+    """Moments about the foot of the boom at full reach: the line of the cylinder from (0.4, 0.6) to (0.9, 2), the foot (0, 2)."""
+    run = ran("loader_crane", 9)
+    area = np.pi / 4 * 0.08**2
+    moment = g * (1000 * 6 + 70 * 4.5 + 120 * 1.5 + 40 * 2.5 + 50 * 0.45)
+    thrust = moment / (0.4 * 1.4 + 1.4 * 0.5) * np.hypot(0.5, 1.4)
+    drives = run.forces["all"].drive_force
+    assert drives.sel(drive="lift")[0].item() == pytest.approx(thrust, rel=1e-4)  # at rest, of lengths to 0.01 mm
+    for drive in ("lift", "fold"):
+        pressure = quantity(run, f"{drive}_pressure")
+        force = drives.sel(drive=drive).values
+        np.testing.assert_allclose(force[[0, -1]], 1e5 * area * pressure[[0, -1]], rtol=1e-9)
+        np.testing.assert_allclose(force, 1e5 * area * pressure, rtol=0.02)
+        assert f"{pressure.max():.0f} bar" in said("loader_crane")
+    assert run.finding.state == "ok"
+    assert np.argmax(quantity(run, "lift_pressure")) == 8  # not at full reach
