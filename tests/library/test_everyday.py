@@ -48,7 +48,7 @@ def test_scissor_lift():
 
 
 def test_loader_crane():
-    """Moments about the foot of the boom at full reach: the line of the cylinder from (0.4, 0.6) to (0.9, 2), the foot (0, 2)."""
+    """Moments about the foot (0, 2) of the boom; the line of the cylinder goes from (0.4, 0.6) to (0.9, 2)."""
     run = ran("loader_crane", 9)
     area = np.pi / 4 * 0.08**2
     moment = g * (1000 * 6 + 70 * 4.5 + 120 * 1.5 + 40 * 2.5 + 50 * 0.45)
@@ -63,3 +63,23 @@ def test_loader_crane():
         assert f"{pressure.max():.0f} bar" in said("loader_crane")
     assert run.finding.state == "ok"
     assert np.argmax(quantity(run, "lift_pressure")) == 8  # not at full reach
+
+
+def test_landing_gear():
+    """At rest the ground carries what the wings do not, and moments about the pin of the arm give the strut."""
+    run = ran("landing_gear", 61)
+    for name in ("load_factor", "stroke"):
+        assert quantity(run, name)[0] < quantity(run, name).max()
+    assert f"{quantity(run, 'load_factor').max():.2f}" in said("landing_gear")
+    assert f"{1e3 * quantity(run, 'stroke').max():.0f} mm" in said("landing_gear")
+    assert run.finding.state == "ok"
+    rest = kt.dynamics.simulate(run.model, 10.0, samples=2)
+    Q, S, K, W = (rest.motion.position.sel(node=name).values[-1] for name in "QSKW")
+    arm = kt.library.materials.STEEL_S355.density * 0.05 * 0.08 * np.hypot(0.5, 0.35)
+    ground = g * (400 + 12 + 6 + arm) - 2616
+    assert 150e3 * (0.2 - W[1]) == pytest.approx(ground, rel=1e-4)
+    along = (S - K) / np.linalg.norm(S - K)
+    lever = K[0] * along[1] - (K - Q)[1] * along[0]
+    moment = ground * W[0] - g * (12 * W[0] + arm * W[0] / 2 + 3 * K[0])
+    force = rest.forces.member_force.sel(member="strut").values[-1]
+    assert force == pytest.approx(-moment / lever, rel=1e-4)
