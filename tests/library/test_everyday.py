@@ -83,3 +83,22 @@ def test_landing_gear():
     moment = ground * W[0] - g * (12 * W[0] + arm * W[0] / 2 + 3 * K[0])
     force = rest.forces.member_force.sel(member="strut").values[-1]
     assert force == pytest.approx(-moment / lever, rel=1e-4)
+
+
+def test_adaptive_footbridge():
+    """Three hinges: q l^2/8 of the crowd over the depth; the deflection times depth over half the span, twice."""
+    model = kt.read(kt.library.example_files()["adaptive_footbridge"][0])
+    run = kt.run(model, "stand")
+    pull = {case: run.forces[case].member_force.sel(member="actuator").item() for case in ("sls.G", "sls.crowd.G+crowd")}
+    assert pull["sls.crowd.G+crowd"] - pull["sls.G"] == pytest.approx(6250 * 24**2 / 8 / 1.5, rel=1e-9)
+    assert run.finding.state == "ok"
+    assert {row.load_case.split(".")[0] for row in run.finding.quantities} == {"sls"}
+    low = {case: one.value.item() for case, one in run.quantities.items() if case.startswith("sls")}
+    assert f"{-1e3 * min(low.values()):.1f} mm" in said("adaptive_footbridge")
+    motion = kt.kinematics.follow(model, model.runs["level"].trajectory, samples=2)
+    change = {}
+    for case in pull:
+        forces = kt.dynamics.inverse(model, motion, load_case=case)
+        change[case] = kt.flexible.corrected(model, forces, at="D3.y").change.values[0, 0]
+        assert change[case] == pytest.approx(low[case] * 2 * 1.5 / 12, rel=0.01)
+    assert f"{1e3 * (change['sls.G'] - change['sls.crowd.G+crowd']):.1f} mm" in said("adaptive_footbridge")
