@@ -46,6 +46,7 @@ def schema() -> dict[str, Any]:
     records["Node"] = {"anyOf": [records["Node"], records["Node"]["properties"]["at"]]}
     for name in ("Bar", "Beam"):
         records[name] = {"anyOf": [records[name], records[name]["properties"]["ends"]]}
+    records["Link"] = {"anyOf": [records["Link"], records["Link"]["properties"]["nodes"]]}
     records["Quantity"] = {"anyOf": [records["Quantity"], records["Quantity"]["properties"]["value"]]}
     held = records["Restraint"]
     records["Restraint"] = {"anyOf": [{"enum": ["held", "free"]}, held, held["properties"]["stiffness"]["anyOf"][0]]}

@@ -69,9 +69,7 @@ class Quantity(Record):
     def _sound(self) -> Quantity:
         if self.limits is None:
             if self.load_cases is not None:
-                raise ValueError(
-                    "load_cases say where limits are asked for. Give limits, or leave load_cases out."
-                )
+                raise ValueError("load_cases say where limits are asked for. Give limits, or leave load_cases out.")
             return self
         low, high = self.limits
         if low is None and high is None:
