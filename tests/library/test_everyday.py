@@ -102,3 +102,23 @@ def test_adaptive_footbridge():
         change[case] = kt.flexible.corrected(model, forces, at="D3.y").change.values[0, 0]
         assert change[case] == pytest.approx(low[case] * 2 * 1.5 / 12, rel=0.01)
     assert f"{1e3 * (change['sls.G'] - change['sls.crowd.G+crowd']):.1f} mm" in said("adaptive_footbridge")
+
+
+def test_press():
+    """The crank r stands across the link, the arms l at a: ram 2 l (1 - cos a), knee l a' = r c' to first order; M/(2 r a)."""
+    run = ran("press", 5)
+    a, press = quantity(run, "knee")[-1], quantity(run, "press")[-1]
+    assert np.degrees(a) == pytest.approx(3, abs=1e-3)
+    K, C, O = (run.motion.position.sel(node=name).values[-1] for name in "KCO")
+    along = (C - K) / np.linalg.norm(C - K)
+    crank = np.array([-(C - O)[1], (C - O)[0]]) @ along
+    knee = 0.3 * np.array([np.cos(a), np.sin(a)]) @ along
+    assert press == pytest.approx(0.2 / abs(2 * 0.3 * np.sin(a) * crank / knee), rel=1e-9)
+    assert press == pytest.approx(0.2 / (2 * 0.06 * a), rel=0.01)
+    torque = run.forces["all"].drive_force.sel(drive="motor").values
+    squeezed = 2e-3 - run.motion.position.sel(node="R", axis="y").values[-1]
+    assert torque[-1] == pytest.approx(200 * 25e6 * squeezed / (1e3 * press), rel=1e-3)  # inertia adds little
+    np.testing.assert_allclose(torque, quantity(run, "torque"), atol=0.05)
+    assert f"{press:.1f} kN" in said("press")
+    assert f"{torque[-1]:.0f} N m" in said("press")
+    assert run.finding.state == "ok"
