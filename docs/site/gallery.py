@@ -27,8 +27,8 @@ document.querySelectorAll("video.film").forEach((film) => {
 """
 GROUPS = {
     "Machines": (
-        "scissor_lift", "loader_crane", "landing_gear", "press", "wiper", "double_wishbone", "jansen_leg", "four_bar",
-        "stewart", "delta", "robot", "planar_crane", "space_crane",
+        "scissor_lift", "loader_crane", "landing_gear", "press", "folding_array", "wiper", "double_wishbone",
+        "jansen_leg", "four_bar", "stewart", "delta", "robot", "planar_crane", "space_crane",
     ),
     "Adaptive trusses": (
         "double_octahedral_slew", "double_octahedral_fast", "triangular_truss", "chain_two_axis", "mast", "serpentine_arm",

@@ -122,3 +122,20 @@ def test_press():
     assert f"{press:.1f} kN" in said("press")
     assert f"{torque[-1]:.0f} N m" in said("press")
     assert run.finding.state == "ok"
+
+
+def test_folding_array():
+    """Without dampers the springs' energy E goes into the stop: (K + k (1 + 4 + 4)) f^2/2 - M (1 + 2 + 2) f = E."""
+    run = ran("folding_array", 1201)
+    assert f"{quantity(run, 'blow').max():.1f} N m" in said("folding_array")
+    still = run.motion.time.values[np.abs(quantity(run, "root_angle")) > np.radians(0.1)].max()
+    assert f"{still:.1f} s" in said("folding_array")
+    assert run.finding.state == "ok"
+    model = run.model
+    free = model.with_(springs={name: one.with_(damping=0.0) for name, one in model.springs.items()})
+    start = np.radians(88)
+    energy = sum(0.5 * 0.5 * (n * start) ** 2 + 0.2 * n * start for n in (1, 2, 2))
+    push = np.roots([0.5 * (2000 + 0.5 * 9), -0.2 * 5, -energy]).max()
+    hit = kt.dynamics.simulate(free, 4.2, samples=2101)
+    deepest = -kt.kinematics.quantities(free, hit).value.sel(quantity="root_angle").values.min()
+    assert deepest == pytest.approx(push, rel=3e-4)
