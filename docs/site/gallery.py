@@ -27,13 +27,14 @@ document.querySelectorAll("video.film").forEach((film) => {
 """
 GROUPS = {
     "Machines": (
-        "wiper", "jansen_leg", "double_wishbone", "four_bar", "stewart", "delta", "robot", "planar_crane", "space_crane",
+        "scissor_lift", "loader_crane", "landing_gear", "press", "folding_array", "wiper", "double_wishbone",
+        "jansen_leg", "four_bar", "stewart", "delta", "robot", "planar_crane", "space_crane",
     ),
     "Adaptive trusses": (
         "double_octahedral_slew", "double_octahedral_fast", "triangular_truss", "chain_two_axis", "mast", "serpentine_arm",
         "docking", "opposed_trusses",
     ),
-    "Buildings that adapt": ("facade", "wind_tower"),
+    "Buildings that adapt": ("adaptive_footbridge", "facade", "wind_tower"),
     "Drives, springs and elastic members": ("drive_train", "driven_bay", "elastic_bay", "isolator", "isolator_beam"),
     "Measurements": ("slewing_experiments", "measured_slew", "strain_gauges"),
     "Linkages of the textbooks": ("peaucellier", "double_pendulum", "bricard", "andrews"),

@@ -69,6 +69,11 @@ def test_examples(name):
         {"support_motion": {"A": {"file": "a.csv"}}},
         {"trajectories": {"t": {"kind": "spline", "file": "t.csv"}}},
         {"runs": {"r": {"trajectory": "t", "samples": "1e3"}}},
+        {"links": {"l": ["A", "B", "A"]}},
+        {"quantities": {"q": "length(l)"}},
+        {"supports": {"A": {"x": "held", "y": "2 kN/mm", "rotation": {"stiffness": 3, "gap": [0, None]}}}},
+        {"combinations": {"lifting": {"G": 1.35, "west": 1.5}}},
+        {"combinations": {"kind": "en1990"}},
     ],
 )
 def test_short_forms(part):

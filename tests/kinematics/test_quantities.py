@@ -2,6 +2,7 @@
 
 import numpy as np
 import pytest
+import xarray as xr
 from hypothesis import given, settings, strategies as st
 
 import kinetruss as kt
@@ -326,6 +327,52 @@ def test_limits_have_the_unit_of_their_quantity():
         crank_rocker(quantities={"q": {"value": "rate(angle(rocker))", "limits": [None, "3 mm"]}})
     with pytest.raises(kt.ModelError, match="is not less than"):
         crank_rocker(quantities={"q": {"value": "C.x", "limits": ["3 mm", "1 mm"]}})
+
+
+def test_limits_hold_in_the_load_cases_that_are_named():
+    """A rod of 1 m stretches by P L/(E A); its limit is asked for in the combinations of serviceability alone."""
+    rod = kt.Model(
+        nodes={"A": (0, 0), "B": (0, -1)},
+        fixed={"A": "xy", "B": "x"},
+        bars={"rod": kt.Bar(ends=("A", "B"), section=kt.Rod(diameter=0.01), material="steel_s235")},
+        loads={"hook": kt.NodalForce(node="B", force=(0, -2e3))},
+        load_cases={"G": {"loads": {"hook": 1}, "category": "permanent"}},
+        combinations={"uls": kt.En1990(), "sls": kt.En1990(equations=("6.14b",))},
+        quantities={"drop": kt.Quantity("-1*m - B.y", limits=(None, "0.15 mm"), load_cases=("sls",))},
+        runs={"stand": kt.Run(analysis="statics.linear")},
+    )
+    run = kt.run(rod, "stand")
+    assert {row.load_case for row in run.finding.quantities} == {"sls.G"}
+    assert run.finding.state == "ok"
+    assert run.finding.quantities[0].value == pytest.approx(2e3 / (210e9 * np.pi / 4 * 1e-4), rel=1e-6)
+    everywhere = rod.with_(quantities={"drop": rod.quantities["drop"].with_(load_cases=None)})
+    assert kt.run(everywhere, "stand").finding.state != "ok"  # 1.35 times as much
+    with pytest.raises(kt.ModelError, match="no load case called 'slz'. Did you mean 'sls'"):
+        rod.with_(quantities={"drop": rod.quantities["drop"].with_(load_cases=("slz",))})
+    with pytest.raises(kt.ModelError, match="load_cases say where limits are asked for"):
+        kt.Quantity("B.y", load_cases=("sls",))
+
+
+@pytest.mark.parametrize(
+    ("limits", "used"),
+    [
+        ((None, 4.0), [0.0, 0.0, 0.5, 1.5]),
+        ((-4.0, None), [0.75, 0.0, 0.0, 0.0]),
+        ((1.0, None), [np.inf, np.inf, 0.5, 1 / 6]),
+        ((None, -1.0), [1 / 3, np.inf, np.inf, np.inf]),
+        ((0.0, None), [np.inf, 0.0, 0.0, 0.0]),
+        ((-4.0, 8.0), [5 / 6, 1 / 3, 0.0, 2 / 3]),
+    ],
+)
+def test_utilisation_of_limits(limits, used):
+    from kinetruss.runs.quantity_limits import limit_rows
+
+    values = np.array([-3.0, 0.0, 2.0, 6.0])
+    model = crank_rocker(quantities={"q": kt.Quantity("C.x/m", limits=limits)})
+    for value, expected in zip(values, used, strict=True):
+        data = xr.Dataset({"value": ("quantity", [value])}, coords={"quantity": ["q"], "quantity_unit": ("quantity", [""])})
+        (row,) = limit_rows(model, {"all": data})
+        assert row.utilisation == pytest.approx(expected)
 
 
 def test_names_that_are_no_words_of_python_stand_in_quotes():

@@ -483,7 +483,7 @@ def _record(
         data.attrs["undecided"] = list(undecided)
         message = (
             f"{message} Balance alone does not decide the forces of the beams {', '.join(undecided[:8])}, nor those of "
-            "supports that they stand on (statics.equilibrium, dynamics.simulate)."
+            "supports that they stand on; an equilibrium does (in the model file: statics.equilibrium)."
         ).strip()
     if (note := not_unique_note(names)) not in message:  # the equilibrium of a run says it already
         message = f"{message} {note}".strip()
@@ -532,7 +532,7 @@ def _digits_lost(motion: Motion, solved: dict[str, Any], poses: list[str], close
 
 def unbalanced(off: float, at_rest: bool, parts: str = "beams, membranes or solids") -> str:
     """The message on positions that the elastic parts do not have under these loads."""
-    why = "at rest they have another shape (statics.equilibrium)"
+    why = "at rest they have another shape, that of an equilibrium (in the model file: statics.equilibrium)"
     if not at_rest:
         why = "the motion is not one that these loads make"
     return (

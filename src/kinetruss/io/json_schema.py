@@ -46,6 +46,8 @@ def schema() -> dict[str, Any]:
     records["Node"] = {"anyOf": [records["Node"], records["Node"]["properties"]["at"]]}
     for name in ("Bar", "Beam"):
         records[name] = {"anyOf": [records[name], records[name]["properties"]["ends"]]}
+    records["Link"] = {"anyOf": [records["Link"], records["Link"]["properties"]["nodes"]]}
+    records["Combination"] = {"anyOf": [records["Combination"], records["Combination"]["properties"]["cases"]]}
     records["Quantity"] = {"anyOf": [records["Quantity"], records["Quantity"]["properties"]["value"]]}
     held = records["Restraint"]
     records["Restraint"] = {"anyOf": [held, {"enum": ["held", "free"]}, held["properties"]["stiffness"]["anyOf"][0]]}
@@ -53,6 +55,8 @@ def schema() -> dict[str, Any]:
     listed = {"type": "array", "items": {"type": "string", **properties["nodes"]["propertyNames"]}}
     for name in ("fixed", "clamped"):
         properties[name] = {"anyOf": [properties[name], listed]}
+    codes = properties["combinations"]["additionalProperties"]["oneOf"][1:]
+    properties["combinations"] = {"anyOf": [properties["combinations"], *codes]}
     overlay = {name: _partial(one) for name, one in properties.items()}
     return {
         "$schema": _DIALECT,

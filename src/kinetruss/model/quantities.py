@@ -11,6 +11,7 @@ from pydantic import AfterValidator, Field, WithJsonSchema, model_validator
 from kinetruss.errors import Fault
 from kinetruss.model.expressions import DEEPEST, LONGEST, ExpressionError, Kind, Tree, kind_of, looked_up, read_expression, walk
 from kinetruss.model.record import Coordinate, Record
+from kinetruss.model.references import LoadCaseNames
 from kinetruss.units import Tagged
 
 if TYPE_CHECKING:
@@ -44,6 +45,9 @@ class Quantity(Record):
     words : what it is, for tables and pictures.
     limits : least and largest value allowed, m, rad or a plain number; null for none. The verdict of a run tells whether they
     are kept.
+    load_cases : in which the limits are asked for, as of a deflection that only the combinations of serviceability limit: names
+    of load cases and combinations, a standard for all of its own. By default in all. Of a motion that is that of every load
+    case they are asked for in any case.
 
     >>> import kinetruss as kt
     >>> kt.Quantity("angle(rocker)", limits=("20 deg", None)).limits[1] is None
@@ -54,6 +58,7 @@ class Quantity(Record):
     value: Formula
     words: str = ""
     limits: tuple[Limit, Limit] | None = None
+    load_cases: Annotated[tuple[LoadCaseNames, ...], Field(min_length=1)] | None = None
 
     @model_validator(mode="before")
     @classmethod
@@ -63,6 +68,8 @@ class Quantity(Record):
     @model_validator(mode="after")
     def _sound(self) -> Quantity:
         if self.limits is None:
+            if self.load_cases is not None:
+                raise ValueError("load_cases say where limits are asked for. Give limits, or leave load_cases out.")
             return self
         low, high = self.limits
         if low is None and high is None:
@@ -78,7 +85,7 @@ class Quantity(Record):
 
     if TYPE_CHECKING:
 
-        def __init__(self, value: str, *, words: str = "", limits: Any = None) -> None: ...
+        def __init__(self, value: str, *, words: str = "", limits: Any = None, load_cases: Any = None) -> None: ...
 
 
 def kinds_of(model: ModelData) -> dict[str, Kind]:

@@ -17,6 +17,7 @@ from kinetruss.errors import InputError
 from kinetruss.kinematics.quantity_histories import quantities
 from kinetruss.model import nearest, turns
 from kinetruss.model.quantities import kinds_of
+from kinetruss.runs.quantity_limits import limits_of
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray
@@ -312,7 +313,7 @@ def quantity_rows(run: RunResult) -> list[dict[str, Any]]:
         for k, name in enumerate(map(str, data["quantity"].values)):
             values = data["value"].values[:, k] if timed else data["value"].values[k : k + 1]
             rates = data["rate"].values[:, k] if "rate" in data else np.full(len(values), np.nan)
-            kind, record = kinds[name], run.model.quantities[name]
+            kind, record, limits = kinds[name], run.model.quantities[name], limits_of(run.model, name, case)
             found.append(
                 {
                     "quantity": name,
@@ -321,7 +322,7 @@ def quantity_rows(run: RunResult) -> list[dict[str, Any]]:
                     "unit": kind.unit,
                     "rate_unit": kind._replace(time=kind.time - 1).unit,
                     "load_case": case,
-                    "limits": None if record.limits is None else list(record.limits),
+                    "limits": None if limits is None else list(limits),
                     "status": status.get((name, case), ""),
                     "start": float(values[0]),
                     "unknown": int(np.isnan(values).sum()),

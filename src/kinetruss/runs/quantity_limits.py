@@ -10,6 +10,7 @@ import numpy as np
 
 from kinetruss.kinematics.quantity_histories import quantities
 from kinetruss.model import Model
+from kinetruss.model.load_cases import acting_cases
 from kinetruss.results.wide_tables import NOT_CHECKED, Row
 
 if TYPE_CHECKING:
@@ -43,16 +44,23 @@ def quantities_of(run: Ran) -> dict[str, xr.Dataset]:
     return {case: quantities(run.model, one) for case, one in (own or {"all": run.motion}).items()}
 
 
+def limits_of(model: Model, name: str, case: str) -> tuple[float | None, float | None] | None:
+    """The limits of a quantity in a load case, or None if there are none."""
+    one = model.quantities[name]
+    asked = one.load_cases is None or case not in model.cases or case in acting_cases(model, one.load_cases)
+    return one.limits if asked else None
+
+
 def limit_rows(model: Model, found: Mapping[str, xr.Dataset]) -> Iterator[Row]:
     """A row for each quantity that has limits, and load case: its worst value and the limit next to it.
 
-    Utilisation : of two limits the distance from their middle over half their range; of one positive limit the value over it
-    (of a least value the limit over the value); else 0 or infinite.
+    Utilisation : of two limits the distance from their middle over half their range. Of a largest value above 0 or a least one
+    below, the value over it, at least 0; of the others the limit over the value; of a limit 0, 0 or infinite.
     """
     for case, data in found.items():
         time = data["time"].values if "time" in data.coords else np.zeros(1)
         for k, name in enumerate(map(str, data["quantity"].values)):
-            if (limits := model.quantities[name].limits) is None:
+            if (limits := limits_of(model, name, case)) is None:
                 continue
             values = data["value"].values[:, k] if "time" in data.coords else data["value"].values[k : k + 1]
             used, when = _used(values, *limits), f"{np.isnan(values).sum()} of {len(values)} samples"
@@ -103,9 +111,13 @@ def _row(
 def _used(values: NDArray[np.float64], low: float | None, high: float | None) -> NDArray[np.float64]:
     if low is not None and high is not None:
         return np.abs(values - 0.5 * (low + high)) / (0.5 * (high - low))
+    if high is None:  # a least value is the largest one of what is measured the other way
+        values, high = -values, -low  # type: ignore[operator]
     with np.errstate(divide="ignore", invalid="ignore"):
-        if high is not None:
-            plain = values / high if high > 0 else np.where(values <= high, 0.0, np.inf)
-            return np.where(np.isnan(values), np.nan, np.maximum(plain, 0.0))
-        plain = np.where(values > 0, low / values, np.inf) if low > 0 else np.where(values >= low, 0.0, np.inf)  # type: ignore[operator]
-        return np.where(np.isnan(values), np.nan, plain)
+        if high > 0:
+            used = np.maximum(values / high, 0.0)
+        elif high < 0:
+            used = np.where(values < 0, high / values, np.inf)
+        else:
+            used = np.where(values <= high, 0.0, np.inf)
+    return np.where(np.isnan(values), np.nan, used)

@@ -103,7 +103,7 @@ def deflection(model: Model, forces: Forces) -> Deflection:
 
 def nodal_forces(system: System, forces: Forces, x: NDArray[np.float64]) -> NDArray[np.float64]:
     """Nodal forces f - M a (times, 3 n), N, from loads, weight and inertia alone."""
-    loads = loads_of(system, forces)
+    loads = loads_of(system, forces).at(x)
     if forces.whole.attrs.get("at_rest", 0):
         v = a = np.zeros((1, x.shape[1]))
     else:

@@ -29,7 +29,10 @@ BEAM_QUANTITIES = ("tension", "compression", "bending", "stress", "combined")
 BENT = "not checked: a bent link buckles with the whole structure, by an analysis of its own (statics.buckling)"
 STABILITY = "not checked: a beam buckles with the whole structure, by an analysis of its own (statics.buckling)"
 BARE = "not checked: no section, or no material"
-UNKNOWN = "not checked: the positions are not those of a structure in balance, so beams have no forces (statics.equilibrium)"
+UNKNOWN = (
+    "not checked: the positions are not those of a structure in balance, so beams have no forces; an equilibrium has them "
+    "(in the model file: statics.equilibrium)"
+)
 
 
 def beam_parts(model: Model) -> tuple[str, ...]:

@@ -180,6 +180,8 @@ def verdict_of(model: Model, found: Gathering, labels: Sequence[str], cases: Seq
     worst = np.full(table.shape[:2], NOTHING)
     for key, column in (("value", 1), ("limit", 2), ("time_of", 3), ("position", 4), ("factored", 1), ("euler", 6)):
         worst[key] = table[:, :, column]
+    worst["factored"][bars:, 2] = model.safety.buckling * table[bars:, 1, 1]
+    worst["euler"][bars:, 2] = columns_of(compile(model)).euler.min(axis=1)
     worst["value"][np.isposinf(table[:, 2, 0]), 2] = np.inf
     worst["utilisation"] = worst["value"] / worst["limit"]
     worst["johnson"] = np.nan_to_num(table[:, :, 6]) > 0

@@ -44,7 +44,9 @@ class Columns:
         if self.round[k]:
             bent, euler, allowed = np.linalg.norm(bent, axis=-1, keepdims=True), euler[-1:], allowed[-1:]
         more = amplification(P[..., None], euler, safety=safety)
-        found = safety * P / self.critical[k] + (more * bent / allowed).sum(axis=-1)
+        # beyond Euler's load the moments that any imbalance makes have no bound, and none need act yet
+        bending = np.where(np.isinf(more), np.inf, np.where(np.isinf(more), 0.0, more) * bent / allowed)
+        found = safety * P / self.critical[k] + bending.sum(axis=-1)
         return np.where(P > 0, found, np.where(np.isnan(P) | ~np.isfinite(self.critical[k]), np.nan, 0.0))
 
 

@@ -237,8 +237,6 @@ def told(
     bars, buckling, safety = len(rod), list(RULES).index("buckling"), model.safety.buckling
     pushed = worst["value"][:, buckling]
     said = notes(parts, rod, whole, pushed[:bars], worst["johnson"][:bars, buckling], active_section, untold)
-    for k in np.flatnonzero(np.isinf(worst["utilisation"][:, -1])).tolist():
-        said[k, -1] = beyond_euler(float(worst["factored"][k, -1]), float(worst["euler"][k, -1]), safety)
     left = not_held(model, under)
     add_to_notes(left, members, worst["utilisation"], said)
     with np.errstate(divide="ignore"):
@@ -256,6 +254,9 @@ def told(
     if (worst["pose"] != "").any():
         data["pose"] = variable(over, worst["pose"].astype(str), "", "name of the worst pose")
     every = np.concatenate([said, beam_notes(model, worst["value"][bars:, 0], pushed[bars:], worst["value"][bars:, -1])])
+    for k in np.flatnonzero(np.isinf(worst["utilisation"][:, -1])).tolist():
+        why = beyond_euler(float(worst["factored"][k, -1]), float(worst["euler"][k, -1]), safety)
+        every[k, -1] = f"{why}; {every[k, -1]}" if every[k, -1] else why
     data["note"] = variable(over, every.astype(str), "", "formula used, or why it was not checked")
     return data, [*sentences(left), *screws_not_held(model, under)]
 
