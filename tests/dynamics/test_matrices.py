@@ -6,8 +6,8 @@ import numpy as np
 import pytest
 
 import kinetruss as kt
+from kinetruss.dynamics.least_norm import apply_loads
 from kinetruss.dynamics.linear_state import moving_forces
-from kinetruss.dynamics.prescribed import apply_loads
 from kinetruss.kernels.structure.structure import EndForces, States
 from kinetruss.mechanics import compile, constraint_jacobian
 from kinetruss.mechanics.balance import balance_of, balanced_rows

@@ -1,13 +1,8 @@
-"""Forces of all members, reactions and drives along a given motion, with free degrees of freedom, with friction in bearings.
-
-There are more equations than bars, so J^T N = f - M a is solved by least squares (singular value decomposition) with the
-weights of the least-norm distribution. The residual is the force that would be needed in the free directions.
-"""
+"""Forces of all members, reactions and drives along a given motion, with friction in bearings."""
 
 from __future__ import annotations
 
 from dataclasses import replace
-from math import prod
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
@@ -15,13 +10,13 @@ import numpy as np
 from kinetruss.display import moment
 from kinetruss.dynamics.bearing_friction import couples_on_ends, friction_directions, jam, seats_of
 from kinetruss.dynamics.force_tables import Read, force_arrays, forces_of, solved_in_space
+from kinetruss.dynamics.least_norm import free_forces, least_norm
 from kinetruss.errors import AnalysisError
 from kinetruss.kernels.compiled.workspace import allocate
 from kinetruss.kernels.structure.structure import NONE, EndForces, NodalLoads, States
 from kinetruss.kernels.sweep.forces import applied, forces as sweep
 from kinetruss.kinematics.own_motion import check_motion
 from kinetruss.mechanics import (
-    RANK_TOLERANCE,
     Arrangement,
     System,
     arrange,
@@ -29,11 +24,9 @@ from kinetruss.mechanics import (
     compile,
     constraint_gradients,
     jacobian,
-    measure_gradients,
     not_unique_at_notes,
     not_unique_note,
     rearrange,
-    row_directions,
 )
 from kinetruss.mechanics.accuracy import NEAR, NOTHING, accuracy_note, error_of, lost
 from kinetruss.mechanics.beam_shapes import STRAIGHT, FixedShapes, fixed_shapes
@@ -60,57 +53,6 @@ UNBALANCED = 1e-9
 """Residual of a singular position, as a fraction of what acts, that is more than round-off of loads and accelerations."""
 
 
-def free_forces(
-    system: System, loads: Any, values: NDArray[np.float64], states: States, N: NDArray[np.float64], ends: EndForces
-) -> tuple[NDArray[np.bool_], dict[int, NDArray[np.bool_]]]:
-    """Fill N and ends like the kernel with the same arguments; returns the mask of constraints with a force not unique, and of
-    singular samples, in which more constraints depend on each other than in others, the mask there.
-    """
-    apply_loads(system, loads, states, ends)
-    return _least_norm(system, values, states.x, N, ends)
-
-
-def _least_norm(
-    system: System, values: NDArray[np.float64], x: NDArray[np.float64], N: NDArray[np.float64], ends: EndForces
-) -> tuple[NDArray[np.bool_], dict[int, NDArray[np.bool_]]]:
-    """The same with what acts already in the ends."""
-    joint, rest = ends
-    places = x.reshape(len(x), -1, 3)
-    arrangement = rearrange(system, places[0], values[0])
-    ranks = _by_singular_values(system, values, places, arrangement.weight, rest, N)
-    if best := int(np.argmax(ranks)):
-        arrangement = rearrange(system, places[best], values[best])
-        ranks = _by_singular_values(system, values, places, arrangement.weight, rest, N)
-    p, q = system.p[system.row_member], system.q[system.row_member]
-    for i, place in enumerate(places):
-        tension = N[i][:, None] * row_directions(system, place, values[i])
-        np.add.at(rest[i].reshape(-1, 3), p, tension)
-        np.subtract.at(rest[i].reshape(-1, 3), q, tension)
-        np.subtract.at(joint[i, :, 0], system.row_member, tension)
-        np.add.at(joint[i, :, 1], system.row_member, tension)
-    take_sum_forces(system, x, N, rest)
-    lower = np.flatnonzero(ranks < ranks.max(initial=0)).tolist()
-    return arrangement.not_unique, {i: rearrange(system, places[i], values[i]).not_unique for i in lower}
-
-
-def _by_singular_values(
-    system: System,
-    values: NDArray[np.float64],
-    places: NDArray[np.float64],
-    weight: NDArray[np.float64],
-    rest: NDArray[np.float64],
-    N: NDArray[np.float64],
-) -> NDArray[np.int64]:
-    """Fill N (times, rows) with the forces of least sum of weight N^2; returns the ranks (times,)."""
-    scale, ranks = np.sqrt(weight), np.zeros(len(places), np.int64)
-    # N = W^-1/2 V S^-1 U^T rest with U S V^T = J^T W^-1/2
-    for i, place in enumerate(places):
-        U, S, V = np.linalg.svd(jacobian(system, place, values[i]).T / scale, full_matrices=False)
-        k = ranks[i] = int(np.sum(RANK_TOLERANCE * S.max(initial=0.0) < S))
-        N[i] = V[:k].T @ ((U[:, :k].T @ rest[i, system.free]) / S[:k]) / scale
-    return ranks
-
-
 def out_of_balance(system: System, loads: Any, x: NDArray[np.float64], rest: NDArray[np.float64]) -> float:
     """Largest residual (times, 3 n) at free coordinates, N, where beams, membranes or solids are not in balance; else 0."""
     if system.continua is None or not len(x):
@@ -134,19 +76,6 @@ def bars_out_of_balance(system: System, rest: NDArray[np.float64], joint: NDArra
     size = float(np.abs(joint).max(initial=0.0))
     stiff = float((system.spring * system.natural).max()) if (system.law != NONE).any() else 0.0
     return off if off > BALANCED * size + ROUND_OFF * stiff else 0.0
-
-
-def take_sum_forces(system: System, x: NDArray[np.float64], N: NDArray[np.float64], rest: NDArray[np.float64]) -> None:
-    """Subtract J^T N of the constraints on sums from `rest` (times, 3 n); x (times, 3 n), N (times, rows)."""
-    for r in system.sums:
-        m = system.row_measure[r]
-        g = measure_gradients(system, m, x.reshape(len(x), prod(x.shape[1:]) // 3, 3))
-        rest -= system.measure_scale[m] * N[:, [r]] * g
-
-
-def apply_loads(system: System, loads: Any, states: States, ends: EndForces) -> None:
-    """Fill `rest` of the ends with f - M a, N, and `joint` with inertia, weight and elastic forces of members."""
-    applied(structure_of(system), nodal_loads(loads), states, ends)
 
 
 # Forces with friction that follows from the joint forces: solved again with it until both agree.
@@ -367,7 +296,7 @@ def _singular(
     applied(structure_of(system), _given(loads, one), here, EndForces(joint, rest))
     parts = (loads.force[one], joint, _moving_mass(system) * here.a, _moving_mass(system) * loads.gravity)
     size = sum(float(np.abs(part).max(initial=0.0)) for part in parts)
-    not_unique, _ = _least_norm(system, values[one], here.x, N[one], EndForces(joint, rest))
+    not_unique, _ = least_norm(system, values[one], here.x, N[one], EndForces(joint, rest))
     if float(np.abs(rest[0, system.free]).max()) > UNBALANCED * max(size, float(np.abs(N[k]).max())):
         raise AnalysisError(
             f"Position {k} of {len(N)} is singular: drives and bars leave a motion free there, along which loads or "

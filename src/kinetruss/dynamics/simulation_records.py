@@ -9,8 +9,9 @@ import numpy as np
 
 from kinetruss.actuators.modes import unwrapped
 from kinetruss.dynamics.force_tables import force_arrays, solved_in_space
+from kinetruss.dynamics.least_norm import apply_loads, take_sum_forces
 from kinetruss.dynamics.motors import motor_histories, motor_names
-from kinetruss.dynamics.prescribed import apply_loads, take_sum_forces, with_bearing_friction
+from kinetruss.dynamics.prescribed import with_bearing_friction
 from kinetruss.dynamics.remarks import energy_remark
 from kinetruss.kernels.compiled.workspace import allocate
 from kinetruss.kernels.solve.accelerations import couples_along

@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 import xarray as xr
 
-from kinetruss.dynamics.prescribed import apply_loads
+from kinetruss.dynamics.least_norm import apply_loads
 from kinetruss.errors import InputError
 from kinetruss.kernels.structure.structure import LENGTH, EndForces, States
 from kinetruss.kinematics import platform_jacobian

@@ -22,8 +22,8 @@ from asking import main
 from models import Case
 
 from kinetruss.dynamics.equations import equations
+from kinetruss.dynamics.least_norm import apply_loads as left_over
 from kinetruss.dynamics.linear_state import moving_forces
-from kinetruss.dynamics.prescribed import apply_loads as left_over
 from kinetruss.kernels.solve import accelerations, kkt
 from kinetruss.kernels.structure.applied import applied, no_force
 from kinetruss.kernels.structure.structure import ANGLE, LENGTH, EndForces, States
