@@ -43,7 +43,7 @@ from revision import NoHistoryError, checkout, hash_of
 
 HERE = Path(__file__).resolve().parent
 TREE = HERE.parents[2]
-BASE = "2c162b106930a776a9bb7a43b31ab4b502a40d3a"
+BASE = "cab8a9325f973508a818a9fdc1ff9a4075d0f6dd"
 """Commit that the tree must agree with."""
 NOT_CHECKED = 3
 MOST = 60
