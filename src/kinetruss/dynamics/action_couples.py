@@ -121,7 +121,7 @@ def _share(columns: list[int], k: int, side: Side, here: Instants) -> NDArray[np
     """Where two parallel forces have their resultant, as a fraction from the first to the second."""
     both = _units(k, side, here)[:, columns]
     whole = both.sum(axis=1)
-    return np.asarray(np.einsum("tc,tc->t", both[:, 1], whole) / np.einsum("tc,tc->t", whole, whole))
+    return np.asarray(np.vecdot(both[:, 1], whole) / np.vecdot(whole, whole))
 
 
 def _on_no_bar(system: System, bars: Bars, side: Side, nodes: tuple[int, ...]) -> Found:

@@ -138,7 +138,7 @@ def evaluate(actions: tuple[Action, ...], here: Instants) -> Acting:
                 couple[:, k] = cross(d, own[:, 1] - place[:, k, None] * (own[:, 0] + own[:, 1]))
         if action.couple is not None:
             given = action.couple(here)
-            square = np.einsum("tc,tc->t", d, d)[:, None]
+            square = np.vecdot(d, d)[:, None]
             across = cross(given, d)
             across /= square
             worth[:, k, 0] -= across
@@ -146,5 +146,5 @@ def evaluate(actions: tuple[Action, ...], here: Instants) -> Acting:
             if not spread:
                 couple[:, k] += given
                 if system.dim == 3:  # in the plane no part of it is along the member
-                    couple[:, k] -= np.einsum("tc,tc->t", given, d)[:, None] / square * d
+                    couple[:, k] -= np.vecdot(given, d)[:, None] / square * d
     return Acting(worth=worth, place=place, couple=couple)

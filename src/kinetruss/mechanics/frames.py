@@ -109,7 +109,7 @@ def side_forces(system: System, side: Side, x: NDArray[np.float64]) -> NDArray[n
         return np.stack([g, -g], axis=1)
     P, one, two = (x[:, n] for n in side.nodes)
     b = two - one
-    s = np.einsum("tc,tc->t", P - one, b) / np.einsum("tc,tc->t", b, b)
+    s = np.vecdot(P - one, b) / np.vecdot(b, b)
     return np.stack([g, -(1.0 - s)[:, None] * g, -s[:, None] * g], axis=1)
 
 
