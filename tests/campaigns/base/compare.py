@@ -43,7 +43,7 @@ from revision import NoHistoryError, checkout, hash_of
 
 HERE = Path(__file__).resolve().parent
 TREE = HERE.parents[2]
-BASE = "cab8a9325f973508a818a9fdc1ff9a4075d0f6dd"
+BASE = "087d3844e77c5c96b90da70b598ccf249173099d"
 """Commit that the tree must agree with."""
 NOT_CHECKED = 3
 MOST = 60
