@@ -65,9 +65,11 @@ NUMBER = re.compile(r"\s*([-+]?(?:\d+\.?\d*|\.\d+)(?:[eE][-+]?\d+)?)(.*)", re.DO
 
 
 def _with_nothing(tree: Any) -> Any:
-    """A tree of texts with None for ``null`` and ``~``, which take an entry out of a library model."""
+    """A tree of texts with None for ``null`` and ``~``: of entries taken out of a library model, and of no limit."""
     if isinstance(tree, dict):
         return {key: _with_nothing(value) for key, value in tree.items()}
+    if isinstance(tree, list):
+        return [_with_nothing(value) for value in tree]
     return None if tree in ("null", "~") else tree
 
 
@@ -95,7 +97,7 @@ def bases() -> dict[str, Any]:
         for name, model in models.items():
             if len(model.members) < 80:
                 file = kt.write(model, Path(folder) / "model.yaml")
-                found[f"{name}, written out"] = yaml.load(file.read_text("utf-8"), yaml.BaseLoader)
+                found[f"{name}, written out"] = _with_nothing(yaml.load(file.read_text("utf-8"), yaml.BaseLoader))
     return found
 
 

@@ -4,6 +4,8 @@ import numpy as np
 import pytest
 
 import kinetruss as kt
+from kinetruss.mechanics import compile
+from kinetruss.mechanics.rotations import rotations
 
 E, I, A, L, Q = 200e9, 1.3e-8, 2e-4, 2.0, -120.0
 STEEL = kt.Material(E=E, density=0.0, poisson=0.3)
@@ -181,3 +183,14 @@ def test_beams_that_keep_their_shape_have_no_deflection():
     motion = kt.kinematics.follow(model, kt.Quintic(moves={"d": (0.0, 0.2)}, duration=1.0), samples=3)
     found = kt.strength.beams(model, kt.dynamics.inverse(model, motion), stations=[0.5])
     assert np.isnan(found.displacement).all()
+
+
+@pytest.mark.parametrize("dim", [2, 3])
+def test_a_motion_without_a_sample_has_no_rotations(dim):
+    """Also where from the first instant on the lengths cannot be closed."""
+    model = kt.Model(
+        nodes={"A": (0.0,) * dim, "B": (1.0, *(0.0,) * (dim - 1))}, clamped=["A"], beams={"arm": ("A", "B")},
+        section=kt.Rod(diameter=0.01), material="steel_s235",
+    )  # fmt: skip
+    system = compile(model)
+    assert rotations(system, np.zeros((0, len(system.nodes), 3))).shape == (0, 2, 1 if dim == 2 else 3)

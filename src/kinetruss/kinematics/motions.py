@@ -101,7 +101,7 @@ def motion_of(system: System, found: Course, space: str, status: Status, message
         "drive_acceleration": variable(driven, drive[2][:count], f"{unit}/s^2", "drive acceleration"),
         "singularity": variable(("time",), gauge, "", "distance from a singular position"),
     }
-    data |= rotation_columns(system, ("time",), lambda: rotations(system, x.reshape(count, -1, 3)))
+    data |= rotation_columns(system, ("time",), lambda: rotations(system, x.reshape(count, len(system.nodes), 3)))
     if found.passed is not None:
         data |= found.passed.variables(system)
     kept = Arrays(_axes(system), t, data, {"kind": "motion", "trajectory_space": space, **found.attrs})
