@@ -67,8 +67,10 @@ def test_a_changed_message_is_found(tmp_path, monkeypatch):
     monkeypatch.setattr(compare, "hash_of", lambda _: "")
     monkeypatch.setattr(compare, "tree_of", lambda *_: compare.TREE / "src")
     more = "\n_words = Fault.__str__\nFault.__str__ = lambda one: _words(one) + ' Please.'\n"
-    found = compare.Found()
-    compare.read_alike(tmp_path, changed(tmp_path, "errors.py", more), 0, 12, SEED, found)
+    for source, differ in ((compare.TREE / "src", False), (changed(tmp_path, "errors.py", more), True)):
+        found = compare.Found()
+        compare.read_alike(tmp_path, source, 0, 12, SEED, found)
+        assert bool(found.differences) is differ
     assert "Please." in found.differences[0].new
 
 

@@ -1,4 +1,4 @@
-"""The campaign of files put wrong at random sees what is planted; `.ci/run` runs it."""
+"""A short campaign of files put wrong at random, and faults that are planted; `.ci/run` has a longer one."""
 
 import io
 import json
@@ -19,20 +19,18 @@ def mill(tmp_path_factory):
     return fuzz.Mill(tmp_path_factory.mktemp("mill"))
 
 
-def test_a_campaign_counts_what_becomes_of_its_files(tmp_path, monkeypatch, mill):
-    monkeypatch.setattr(mill, "folder", tmp_path)
-    monkeypatch.setattr(fuzz, "Mill", lambda _: mill)
+def test_a_short_campaign_finds_nothing(tmp_path):
     told = io.StringIO()
-    counts, bad = fuzz.campaign(tmp_path, 20, 0, SEED, told)
+    counts, bad = fuzz.campaign(tmp_path, 100, 5, SEED, told)
     assert not bad, [(one.case.name, one.what, one.details) for one in bad]
-    assert sum(counts.values()) == 20
+    assert sum(counts.values()) >= 105
     assert "refused" in told.getvalue()
-    assert list(tmp_path.iterdir()) == []
+    assert {path.suffix for path in tmp_path.iterdir()} <= {".csv"}
 
 
 def test_a_case_is_always_the_same_file(tmp_path, mill):
     other = fuzz.Mill(tmp_path)
-    for number in range(10):
+    for number in range(40):
         case = fuzz.Case(number, number % 2 == 0)
         assert mill.file(case).read_bytes() == other.file(case).read_bytes()
 

@@ -2,8 +2,10 @@
 
 import json
 import re
+import signal
 import subprocess
 import sys
+import time
 from pathlib import Path
 
 import pytest
@@ -334,6 +336,50 @@ def test_a_run_without_one_good_sample_is_said_to_be_so(tmp_path):
         refused = call(*verb)
         assert refused.exit_code in (1, 2)
         assert "no good sample" in refused.stderr
+
+
+@pytest.mark.slow
+def test_resume_goes_on(tmp_path):
+    def stop(done: int, total: int) -> None:
+        raise KeyboardInterrupt
+
+    with pytest.raises(KeyboardInterrupt):
+        runs.run(tripod(31), out=tmp_path / "run", block=10, progress=stop)
+    assert "Incomplete" in call("info", tmp_path / "run").stdout
+    done = call("run", "--resume", tmp_path / "run", "--json")
+    assert done.exit_code == 0
+    assert json.loads(done.stdout)["whole"] is True
+
+
+@pytest.mark.slow
+def test_every_example_is_without_fault():
+    for entry in json.loads(call("examples", "--json").stdout)["examples"]:
+        path = Path(kt.library.example_files()[entry["name"]][0])
+        assert call("check", path).exit_code == 0
+
+
+@pytest.mark.slow
+def test_export_of_the_table_of_margins(folder, tmp_path):
+    assert call("export", folder / "run", tmp_path / "m.csv", "--group", "verdict").exit_code == 0
+    assert (tmp_path / "m.csv").read_text().startswith("part,rule,unit,value,limit,utilisation")
+
+
+@pytest.mark.slow
+def test_an_interrupt_says_how_to_go_on(folder, tmp_path):
+    kt.write(fourbar(2_000_001), tmp_path / "long.yaml")  # half a minute: it cannot end by itself first
+    command = [Path(sys.executable).parent / "kinetruss", "run", tmp_path / "long.yaml", "-o", tmp_path / "run"]
+    with subprocess.Popen(command, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True) as running:
+        while running.poll() is None and not ((tmp_path / "run" / "kinetruss.json").exists() and runs_good(tmp_path / "run")):
+            time.sleep(0.05)
+        running.send_signal(signal.SIGINT)
+        out, error = running.communicate(timeout=60)
+    assert (running.returncode, out) == (1, "")
+    assert "of 2000001 samples are kept. Continue with: kinetruss run --resume" in error
+    assert "Traceback" not in error
+
+
+def runs_good(path: Path) -> int:
+    return int(json.loads((path / "kinetruss.json").read_text())["committed"])
 
 
 @pytest.mark.parametrize(

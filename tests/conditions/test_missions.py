@@ -89,7 +89,7 @@ def assert_worst_of(mission, runs):
 
 
 @pytest.mark.slow
-@settings(max_examples=4, deadline=None, suppress_health_check=[HealthCheck.too_slow])
+@settings(max_examples=6, deadline=None, suppress_health_check=[HealthCheck.too_slow])
 @given(st.lists(st.tuples(share, share), min_size=1, max_size=3), st.floats(50, 900))
 def test_the_envelope_is_the_worst_of_the_runs_done_one_by_one(moves, force):
     model = crane([(0.2 * a, 0.2 * b) for a, b in moves], (round(force, 1), 100.0))

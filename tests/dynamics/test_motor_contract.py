@@ -79,7 +79,9 @@ def sprung():
 
 @dataclass(frozen=True)
 class Case:
-    """A model, its tasks, and how near its inputs come back where the drives move faster than `still`."""
+    """A model, its tasks, and how near its inputs come back where the drives move faster than `still`, at `moving` samples of
+    its motors at least; `forces` : how near the forces of members do.
+    """
 
     model: Callable[[], kt.Model]
     tasks: Callable[[], dict[str, object]]
@@ -88,6 +90,8 @@ class Case:
     within: float = 1e-8
     still: float = 1e-8
     method: kt.DOP853 = field(default_factory=kt.DOP853)
+    moving: int = 9
+    forces: float = 1e-8
 
 
 POSE = {"M7": 1.160, "M9": 1.175, "M11": 1.172}
@@ -95,7 +99,8 @@ STEP = {"turn": kt.StepInput(voltage=24.0)}
 EXACT = kt.DOP853(rtol=1e-11, atol=1e-12)
 CASES = {
     "screws of a bay": Case(
-        loaded, lambda: {name: kt.PositionLoop(target=target, settling_time=0.4) for name, target in POSE.items()}, 1.0, 101
+        loaded, lambda: {name: kt.PositionLoop(target=target, settling_time=0.4) for name, target in POSE.items()}, 1.0, 101,
+        forces=1e-9,
     ),
     "a screw beside held and moving drives": Case(
         loaded, lambda: {"M7": kt.StepInput(voltage=8.0), "M9": kt.Quintic(moves={"M9": (1.1684, 1.17)}, duration=0.3),
@@ -106,12 +111,12 @@ CASES = {
                                   for k, name in enumerate(bays(3).all_drives)},
         0.04, 11, still=1e-7, method=kt.DOP853(solver=solver),
     ) for solver in ("dense", "sweep", "sparse")},
-    "angles of a robot": Case(robot, turning, 0.8, 41, 1e-7, 1e-6),
+    "angles of a robot": Case(robot, turning, 0.8, 41, 1e-7, 1e-6, moving=51),
     **{f"two geared links, {solver}": Case(
         links, lambda: {"shoulder": kt.StepInput(voltage=20.0), "elbow": kt.SineInput(voltage=15.0, period=0.4)}, 0.5, 26,
-        1e-7, 1e-6, kt.DOP853(solver=solver),
+        1e-7, 1e-6, kt.DOP853(solver=solver), moving=41,
     ) for solver in ("dense", "sparse")},
-    "an angle of an overconstrained loop": Case(loop, lambda: STEP, 1.0, 26),
+    "an angle of an overconstrained loop": Case(loop, lambda: STEP, 1.0, 26, moving=25),
     "an angle of a line whose length changes": Case(sprung, lambda: STEP, 0.6, 31, method=EXACT),
 }  # fmt: skip
 
@@ -128,15 +133,18 @@ def moved(name):
 @pytest.mark.parametrize("name", CASES)
 def test_inverse_dynamics_and_the_demand_give_the_inputs_back(name):
     model, run, motors, forces = moved(name)
-    for force in ("member_force", "drive_force"):
+    case = CASES[name]
+    for force, within in (("member_force", case.forces), ("drive_force", 1e-8)):
         scale = np.abs(forces.data[force]).max()
-        assert_allclose(run.forces.data[force], forces.data[force], rtol=0, atol=1e-8 * scale)
+        assert_allclose(run.forces.data[force], forces.data[force], rtol=0, atol=within * scale)
     demand = actuators.evaluate(model, run.motion, forces).data.sel(active=motors)
-    moving = np.abs(run.motion.drive_velocity.sel(drive=motors).values) > CASES[name].still
-    assert moving.sum() > 8
+    moving = np.abs(run.motion.drive_velocity.sel(drive=motors).values) > case.still
+    assert moving.sum() >= case.moving
+    if name.startswith("nine"):
+        assert moving[5].all()
     for what in ("current", "voltage"):
         given = run.data[f"motor_{what}"].values
-        assert_allclose(demand[what].values[moving], given[moving], rtol=0, atol=CASES[name].within * np.abs(given).max())
+        assert_allclose(demand[what].values[moving], given[moving], rtol=0, atol=case.within * np.abs(given).max())
 
 
 @pytest.mark.parametrize("name", CASES)

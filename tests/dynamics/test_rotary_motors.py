@@ -219,7 +219,7 @@ def test_a_geared_pendulum_against_its_own_equation():
 
 @pytest.mark.slow
 def test_electrical_power_goes_to_copper_friction_gear_and_the_mass():
-    run = driven(hanging(motor=RUBBING.with_(inductance=1e-3)), 1.0, SineInput(voltage=14.0, period=0.9), samples=201)
+    run = driven(hanging(motor=RUBBING.with_(inductance=1e-3)), 2.0, SineInput(voltage=14.0, period=0.9), samples=401)
     data = run.data.sel(motor="turn")
     taken = float(data.electrical_energy.max())
     assert np.abs(data.motor_energy_balance).max() < 1e-8 * taken

@@ -37,7 +37,7 @@ def off(run: kt.results.Simulation, loops: int, beside: float, rate: float) -> f
 
 
 @pytest.mark.slow
-@pytest.mark.parametrize("loops", [1, 10])
+@pytest.mark.parametrize("loops", [1, 3, 10])
 @pytest.mark.parametrize("beside", [0.0, 1e-8, 1e-6, -1e-6, 1e-5, 1e-4, -1e-4, 3e-4, 1e-3])
 @pytest.mark.parametrize("rate", [0.0, 1e-3, 0.1, -0.1, 2.0])
 def test_rows_of_four_bars_start_flat_or_nearly_flat(loops, beside, rate):

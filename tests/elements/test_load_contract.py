@@ -141,9 +141,7 @@ def test_a_load_that_turns_does_so_with_its_body(case):
     f, turned = forces(units, x), forces(units, x @ R.T)
     scale = np.abs(f).max()
     np.testing.assert_allclose(forces(units, x + np.array([0.3, -0.2, 0.5 * (system.dim - 2)])), f, atol=1e-12 * scale)
-    if getattr(load, "per", "length") == "projection" or getattr(load, "member", "") == "actuator":
-        pass  # of what depends on the angle between force and member, see test_loads_at_places
-    elif isinstance(load, kt.Pressure) or getattr(load, "follows", False) or getattr(load, "axes", "") == "member":
+    if isinstance(load, kt.Pressure) or getattr(load, "follows", False) or getattr(load, "axes", "") == "member":
         np.testing.assert_allclose(turned, f @ R.T, atol=1e-12 * scale)
     elif isinstance(load, (kt.BodyCouple, kt.MemberCouple, kt.MemberPointCouple)):
         moment = [np.cross(y, one).sum(axis=0) for y, one in ((x, f), (x @ R.T, turned))]
@@ -151,8 +149,12 @@ def test_a_load_that_turns_does_so_with_its_body(case):
         np.testing.assert_allclose(f.sum(axis=0), 0.0, atol=1e-12 * scale)
     elif all(unit.constant for unit, _ in units):
         np.testing.assert_allclose(turned, f, atol=1e-12 * scale)
-    else:  # the part along a beam is shared otherwise than that across it; their sum is the load
-        np.testing.assert_allclose(turned.sum(axis=0), f.sum(axis=0), atol=1e-12 * scale)
+    else:  # it depends on the angle between force and member: both are turned
+        other = load.with_(force=tuple((R[: system.dim, : system.dim] @ np.array(load.force)).tolist()))
+        both = compile(system.given.with_(loads={"q": other}))
+        amounts = history_of(other, np.zeros(1))[0]
+        found = forces(list(zip(unit_loads_of(both, "q"), amounts, strict=True)), x @ R.T)
+        np.testing.assert_allclose(found, f @ R.T, atol=1e-12 * scale)
 
 
 def test_places_are_on_members_that_there_are(case):

@@ -7,7 +7,7 @@ import sys
 from pathlib import Path
 
 import pytest
-from hypothesis import given, settings, strategies as st
+from hypothesis import given, strategies as st
 from jsonschema import Draft202012Validator
 
 import kinetruss as kt
@@ -87,12 +87,12 @@ def test_round_trip(tmp_path_factory, model, suffix):
 
 @pytest.mark.slow
 @pytest.mark.parametrize("name", kt.library.example_files())
-@pytest.mark.parametrize("suffix", [".yml", ".json"])
+@pytest.mark.parametrize("suffix", [".yaml", ".yml", ".json"])
 def test_examples(tmp_path, name, suffix):
     model = kt.read(kt.library.example_files()[name][0])
     path = kt.write(model, tmp_path / f"again{suffix}")
     assert kt.read(path) == model
-    assert suffix == ".yml" or list(JUDGE.iter_errors(json.loads(path.read_text("utf-8")))) == []
+    assert suffix != ".json" or list(JUDGE.iter_errors(json.loads(path.read_text("utf-8")))) == []
 
 
 @given(real)
@@ -119,7 +119,6 @@ def as_text(value):
     return value if isinstance(value, str) else _number(value) if isinstance(value, float) else str(value)
 
 
-@settings(max_examples=50)
 @given(data)
 def test_any_data_as_yaml(tree):
     found, faults = parse_yaml(to_yaml(tree))
@@ -127,7 +126,6 @@ def test_any_data_as_yaml(tree):
     assert not faults
 
 
-@settings(max_examples=50)
 @given(data)
 def test_any_data_as_json(tree):
     text = to_json(tree)

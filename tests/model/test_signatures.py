@@ -18,7 +18,7 @@ RECORDS = [one for name in dir(kt) if inspect.isclass(one := getattr(kt, name)) 
 def test_signatures_name_every_field_with_a_short_type(record):
     found = inspect.signature(record)
     assert set(found.parameters) == set(record.model_fields)
-    assert len(str(found)) <= 1700
+    assert len(str(found)) <= max(750, 37 * len(found.parameters))  # a line and a half for six fields
     for name, one in found.parameters.items():
         assert not re.search(r"Annotated|Filled|Table|Moves|OrName", one.annotation)
         assert one.annotation.count("[") == one.annotation.count("]")

@@ -177,7 +177,7 @@ def nodes_meet(cut):
 
 
 @pytest.mark.slow
-@pytest.mark.parametrize("seed", [1, 2])
+@pytest.mark.parametrize("seed", [1, 2, 3, 4])
 @pytest.mark.parametrize("way", WAYS, ids=lambda way: way.__name__)
 def test_every_bar_is_in_balance(way, seed):
     rng = np.random.default_rng(seed)
