@@ -5,7 +5,7 @@ from __future__ import annotations
 import pytest
 
 from kinetruss.errors import InputError
-from kinetruss.studio import edits
+from kinetruss.studio import copies, edits
 from kinetruss.studio.judging import judged, on_members
 from kinetruss.studio.new_parts import made
 
@@ -47,9 +47,9 @@ def test_links_follow_edits():
     assert edits.deleted(data, ["M"], [])[0]["links"]["boom"] == ["A", "B"]
     assert "links" not in edits.deleted(data, ["M", "B"], [])[0]
     assert "links" not in edits.deleted(data, [], ["boom"])[0]
-    copies = edits.copied(data, ["A", "M", "B"], [0, 1], 1)
-    assert len(copies["links"]) == 2
-    assert len(copies["links"]["boom1"]) == 3
+    twice = copies.copied(data, ["A", "M", "B"], [0, 1], 1)
+    assert len(twice["links"]) == 2
+    assert len(twice["links"]["boom1"]) == 3
 
 
 def test_a_bar_is_made_a_link_and_back():

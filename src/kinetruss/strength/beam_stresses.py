@@ -84,7 +84,7 @@ def beams(
     if np.ndim(stations) == 0 and spans.parted:
         xi = np.union1d(xi, spans.pins)
     local = spans.places(xi)
-    values, data, timed = along_elements(model, result, local, load_case)
+    values, data, timed = along_elements(model, result, local, load_case, deflected=True)
     if spans.parted:
         values = _merged(spans, values, xi, local)
     if model.links:
@@ -94,10 +94,10 @@ def beams(
 
 
 def along_elements(
-    model: Model, result: Result | ArrayLike, xi: NDArray[np.float64], load_case: str | None = None
+    model: Model, result: Result | ArrayLike, xi: NDArray[np.float64], load_case: str | None = None, *, deflected: bool = False
 ) -> tuple[dict[str, NDArray[np.float64]], xr.Dataset | None, bool]:
-    """The values of `beams` at the fractions xi (s,) of each elastic element of a beam or link, (times, k, s, ..); the data
-    of the positions; whether these are over time.
+    """The values of `beams` at the fractions xi (s,) of each elastic element of a beam or link, (times, k, s, ..), with
+    displacements if `deflected`; the data of the positions; whether these are over time.
     """
     system, dim = compile(model), model.dim
     elements: BeamElements = cast(Any, system.continua).beams
@@ -111,9 +111,11 @@ def along_elements(
     loads = _along(system, case, np.broadcast_to(system.x0, x.shape) if linear else x, data)
     known: dict[str, Any] = {"linear": linear, "given": given, "v": v, "loads": loads}
     found = section_forces(elements, x, system.x0, load, xi, **known)
-    moved, bent = deflections(elements, x, system.x0, load, xi, **known)
     values = _sections(found, dim) | _stresses(system, elements, found) | _ends(found, dim)
-    return values | {"displacement": moved[..., :dim], "deflection": bent[..., : dim - 1]}, data, timed
+    if deflected:
+        moved, bent = deflections(elements, x, system.x0, load, xi, **known)
+        values |= {"displacement": moved[..., :dim], "deflection": bent[..., : dim - 1]}
+    return values, data, timed
 
 
 def _merged(

@@ -13,7 +13,7 @@ from pydantic import BaseModel, ConfigDict, Field, ValidationError, create_model
 
 from kinetruss.errors import InputError, KinetrussError, ModelError
 from kinetruss.model import nearest
-from kinetruss.studio import drawing, edits, requested_runs
+from kinetruss.studio import copies, drawing, edits, requested_runs
 from kinetruss.studio.member_kinds import switched
 from kinetruss.studio.new_parts import made, with_analysis
 from kinetruss.studio.requested_runs import Finite, FrameList, Name, Values
@@ -271,19 +271,19 @@ def delete(session: Session, nodes: Names = (), members: Names = ()) -> Answer:
 @message
 def copy(session: Session, nodes: Names, by: Place, count: Count = 1) -> Answer:
     """Copies of nodes and of the members among them, each shifted by a vector from the last, m."""
-    return session.take(edits.copied(session.data, nodes, by, count), "copying")
+    return session.take(copies.copied(session.data, nodes, by, count), "copying")
 
 
 @message
 def mirror(session: Session, nodes: Names, axis: Literal["x", "y", "z"], at: Typed = 0.0) -> Answer:
     """Mirrored copies of nodes and of the members among them; nodes in the plane are shared."""
-    return session.take(edits.mirrored(session.data, nodes, axis, at), "mirroring")
+    return session.take(copies.mirrored(session.data, nodes, axis, at), "mirroring")
 
 
 @message
 def stack(session: Session, cell: Name, count: Count = 1, arguments: Arguments | None = None) -> Answer:
     """A stack of cells of the library, e.g. three octahedra, added to the drawing."""
-    return session.take(edits.stacked(session.data, cell, count, arguments or {}), f"stacking {cell}")
+    return session.take(copies.stacked(session.data, cell, count, arguments or {}), f"stacking {cell}")
 
 
 @message

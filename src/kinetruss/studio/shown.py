@@ -16,7 +16,8 @@ from kinetruss.mechanics import compile
 from kinetruss.model import NodalForce, turns
 from kinetruss.results.user_parts import clamps
 from kinetruss.shelves import shelf, shelves
-from kinetruss.studio.edits import CELLS, MEMBERS, ends_of, place_of, supports
+from kinetruss.studio.copies import CELLS
+from kinetruss.studio.edits import MEMBERS, ends_of, place_of, supports
 from kinetruss.studio.judging import LISTED_NODES, loose_ends, on_members
 from kinetruss.studio.member_kinds import role_of
 from kinetruss.studio.new_parts import forms

@@ -33,7 +33,7 @@ from kinetruss.elements.local_axes import orientation, turned
 from kinetruss.elements.numbers import apart, chosen, size
 from kinetruss.kernels.compiled.jit import kernel, kernel_bare
 from kinetruss.kernels.compiled.record import F1, F2, I1, Record, Vector, record
-from kinetruss.kernels.structure.tables import entry_at
+from kinetruss.kernels.structure.tables import entry_at, weighted_place
 from kinetruss.model import Piece
 from kinetruss.model.loads_along import AlongMember, carrier, fraction
 
@@ -71,16 +71,6 @@ ROUNDING = 1e-14
 
 
 @kernel_bare
-def _sum(s: Turned, k: int, column: int, x: F1) -> Vector:
-    """Sum of a factor times the places of the nodes of load k."""
-    a, b, c = 0.0, 0.0, 0.0
-    for i in range(s.ptr[k], s.ptr[k + 1]):
-        at, factor = s.node[i], s.data[i, column]
-        a, b, c = a + factor * x[at], b + factor * x[at + 1], c + factor * x[at + 2]
-    return a, b, c
-
-
-@kernel_bare
 def _axis(s: Turned, k: int, d: Vector, x: F1) -> Vector:
     """The direction of load k, times |1 x e| where it counts on a projection. d : from end A to B."""
     ux, uy, uz = d
@@ -99,7 +89,7 @@ def _axis(s: Turned, k: int, d: Vector, x: F1) -> Vector:
         return ux, uy, uz
     if s.planar[k] != 0:
         return -uy, ux, 0.0
-    gx, gy, gz = _sum(s, k, 2, x)
+    gx, gy, gz = weighted_place(s.node, s.data, s.ptr[k], s.ptr[k + 1], 2, x)
     hx, hy, hz = hx + gx, hy + gy, hz + gz
     along = hx * ux + hy * uy + hz * uz
     hx, hy, hz = hx - along * ux, hy - along * uy, hz - along * uz
@@ -126,7 +116,7 @@ def force(s: Turned, t: float, x: F1, v: F1, f: F1) -> None:  # noqa: ARG001
     # w_j q, and along an active member what base and tube take besides
     for k in range(s.axis.size):
         amount = entry_at(s.time, s.value, s.table_ptr[k], s.table_ptr[k + 1], t)
-        d = _sum(s, k, 1, x)
+        d = weighted_place(s.node, s.data, s.ptr[k], s.ptr[k + 1], 1, x)
         qx, qy, qz = _axis(s, k, d, x)
         for i in range(s.ptr[k], s.ptr[k + 1]):
             at, share = s.node[i], amount * s.data[i, 0]

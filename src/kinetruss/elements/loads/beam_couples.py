@@ -25,7 +25,7 @@ from kinetruss.elements.local_axes import turned
 from kinetruss.elements.numbers import size
 from kinetruss.kernels.compiled.jit import kernel, kernel_bare
 from kinetruss.kernels.compiled.record import F1, F2, I1, Record, Vector, record
-from kinetruss.kernels.structure.tables import entry_at
+from kinetruss.kernels.structure.tables import entry_at, weighted_place
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray
@@ -55,16 +55,6 @@ class BeamCouples(Record):
 
 
 @kernel_bare
-def _sum(s: BeamCouples, k: int, column: int, x: F1) -> Vector:
-    """Sum of a factor times the places of the nodes of couple k."""
-    a, b, c = 0.0, 0.0, 0.0
-    for i in range(s.ptr[k], s.ptr[k + 1]):
-        at, factor = s.node[i], s.data[i, column]
-        a, b, c = a + factor * x[at], b + factor * x[at + 1], c + factor * x[at + 2]
-    return a, b, c
-
-
-@kernel_bare
 def _cross(a: Vector, b: Vector) -> Vector:
     return a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]
 
@@ -91,11 +81,11 @@ def force(s: BeamCouples, t: float, x: F1, v: F1, f: F1) -> None:  # noqa: ARG00
     # T_P, T_Q on the frames and X on the chord, of each couple
     for k in range(s.axis.size):
         amount = entry_at(s.time, s.value, s.table_ptr[k], s.table_ptr[k + 1], t)
-        d = _sum(s, k, 0, x)
+        d = weighted_place(s.node, s.data, s.ptr[k], s.ptr[k + 1], 0, x)
         one = _unit(d)
         two = (-one[1], one[0], 0.0)
         if s.planar[k] == 0:
-            h = _sum(s, k, 7, x)
+            h = weighted_place(s.node, s.data, s.ptr[k], s.ptr[k + 1], 7, x)
             along = h[0] * one[0] + h[1] * one[1] + h[2] * one[2]
             two = _unit((h[0] - along * one[0], h[1] - along * one[1], h[2] - along * one[2]))
         three = _cross(one, two)
@@ -121,7 +111,7 @@ def force(s: BeamCouples, t: float, x: F1, v: F1, f: F1) -> None:  # noqa: ARG00
                 _put(s, k, 0, (far * push[0], far * push[1], far * push[2]), f)
                 continue
             for c in range(3 - s.planar[k]):
-                push = _cross(T, _sum(s, k, 1 + 3 * where + c, x))
+                push = _cross(T, weighted_place(s.node, s.data, s.ptr[k], s.ptr[k + 1], 1 + 3 * where + c, x))
                 _put(s, k, 1 + 3 * where + c, (0.5 * push[0], 0.5 * push[1], 0.5 * push[2]), f)
 
 

@@ -246,11 +246,7 @@ def beam_column_sheet(model: Model, forces: Forces, row: Row) -> Sheet:
     mark = _mark(model, row.part, bent.part)
     section, _ = made_of(model, bent.part)
     lowest = min(sheet.values[name] for name in ("P_e", "P_e2", "P_e3") if name in sheet.values)
-    if sheet.values["n_b"] * sheet.values["P"] >= lowest:
-        words = beyond_euler(sheet.values["n_b"] * sheet.values["P"], lowest, model.safety.buckling)
-        sheet.notes.append(f"{words[0].upper()}{words[1:]}: the interaction has no finite value.")
-        sheet.values["s"], sheet.units["s"] = math.inf, ""
-    else:
+    if not _beyond(sheet, lowest):
         terms = ["n_b*P/P_cr"]
         axes = {"": math.hypot(bent.M2, bent.M3)} if section.round else {"_2": bent.M2, "_3": bent.M3}
         if model.dim == 2:
@@ -262,10 +258,7 @@ def beam_column_sheet(model: Model, forces: Forces, row: Row) -> Sheet:
             sheet.step(f"M_allow{axis}", f"allowed bending moment of {bent.part}", f"S_y{mark}/n_y*W{axis}{mark}", "N m", AISC)
             terms.append(f"C_m*M{axis}/((1 - n_b*P/{about})*M_allow{axis})")
         sheet.step("s", "interaction", " + ".join(terms), "", AISC)
-    sheet.values["one"], sheet.units["one"] = 1.0, ""
-    sheet.result, sheet.allowed = "s", "one"
-    sheet.values["u"], sheet.units["u"] = sheet.values["s"], "%"
-    return sheet
+    return _closed(sheet)
 
 
 def link_buckling_sheet(model: Model, forces: Forces, row: Row) -> Sheet:
@@ -287,11 +280,7 @@ def link_beam_column_sheet(model: Model, forces: Forces, row: Row) -> Sheet:
     section, _ = made_of(model, row.part)
     axes = {"": math.hypot(*bent.values())} if section.round else {f"_{axis}": abs(M) for axis, M in bent.items()}
     lowest = min(sheet.values[f"P_e{axis[1:]}"] for axis in axes)
-    if sheet.values["n_b"] * sheet.values["P"] >= lowest:
-        words = beyond_euler(sheet.values["n_b"] * sheet.values["P"], lowest, model.safety.buckling)
-        sheet.notes.append(f"{words[0].upper()}{words[1:]}: the interaction has no finite value.")
-        sheet.values["s"], sheet.units["s"] = math.inf, ""
-    else:
+    if not _beyond(sheet, lowest):
         terms = ["n_b*P/P_cr"]
         sheet.give("C_m", "moment factor", 1.0, "", "loads across a member")
         sheet.give("n_y", "safety factor on yielding", model.safety.yielding, "", "safety of the model")
@@ -301,6 +290,22 @@ def link_beam_column_sheet(model: Model, forces: Forces, row: Row) -> Sheet:
             sheet.step(f"M_allow{axis}", "allowed bending moment", f"S_y/n_y*W{axis}", "N m", AISC)
             terms.append(f"C_m*M{axis}/((1 - n_b*P/P_e{axis[1:]})*M_allow{axis})")
         sheet.step("s", "interaction", " + ".join(terms), "", AISC)
+    return _closed(sheet)
+
+
+def _beyond(sheet: Sheet, lowest: float) -> bool:
+    """Whether the compression times its safety factor reaches the lowest of Euler's loads, N: the interaction is infinite."""
+    push = sheet.values["n_b"] * sheet.values["P"]
+    if push < lowest:
+        return False
+    words = beyond_euler(push, lowest, sheet.values["n_b"])
+    sheet.notes.append(f"{words[0].upper()}{words[1:]}: the interaction has no finite value.")
+    sheet.values["s"], sheet.units["s"] = math.inf, ""
+    return True
+
+
+def _closed(sheet: Sheet) -> Sheet:
+    """The sheet of an interaction s, of 1."""
     sheet.values["one"], sheet.units["one"] = 1.0, ""
     sheet.result, sheet.allowed = "s", "one"
     sheet.values["u"], sheet.units["u"] = sheet.values["s"], "%"
