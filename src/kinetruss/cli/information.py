@@ -62,7 +62,7 @@ def info(
     if joints and motion:
         raise click.UsageError("--joints and --motion are two pages. Give one of them.")
     if motion and (member, node) != (None, None):
-        raise click.UsageError("--motion tells of all that move. Leave it out to see one node or member.")
+        raise click.UsageError("--motion shows all that move. Leave it out to see one node or member.")
     if what.is_dir():
         if motion or (not joints and (member, node) != (None, None)):
             _motion(what, node, member, as_json)

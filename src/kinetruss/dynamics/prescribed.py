@@ -433,12 +433,12 @@ def _record(
     )
 
 
-def _not_unique_at(system: System, motion: Motion, solved: dict[str, Any], told: list[str]) -> dict[str, list[float]]:
-    """By member the times of singular samples at which its force is not unique; without those `told` of all times."""
+def _not_unique_at(system: System, motion: Motion, solved: dict[str, Any], everywhere: list[str]) -> dict[str, list[float]]:
+    """By member the times of singular samples at which its force is not unique; without those `everywhere`, at all times."""
     time, found = motion.arrays["time"].values, dict[str, list[float]]()
     for k, mask in solved["singular"].items():
         for name in system.parts_of(np.flatnonzero(mask)):
-            if name not in told:
+            if name not in everywhere:
                 found.setdefault(name, []).append(float(time[k]))
     return found
 

@@ -43,11 +43,11 @@ class Quantity(Record):
 
     value : the expression.
     words : what it is, for tables and pictures.
-    limits : least and largest value allowed, m, rad or a plain number; null for none. The verdict of a run tells whether they
-    are kept.
-    load_cases : in which the limits are asked for, as of a deflection that only the combinations of serviceability limit: names
-    of load cases and combinations, a standard for all of its own. By default in all. Of a motion that is that of every load
-    case they are asked for in any case.
+    limits : least and largest value allowed, m, rad or a plain number; null for none. The verdict of a run checks
+    them.
+    load_cases : names of the load cases and combinations in which the limits apply, as those of a deflection in the combinations
+    of serviceability; the name of a standard means all of its combinations. By default all. In a motion that does not depend on
+    loads they always apply.
 
     >>> import kinetruss as kt
     >>> kt.Quantity("angle(rocker)", limits=("20 deg", None)).limits[1] is None
@@ -69,7 +69,7 @@ class Quantity(Record):
     def _sound(self) -> Quantity:
         if self.limits is None:
             if self.load_cases is not None:
-                raise ValueError("load_cases say where limits are asked for. Give limits, or leave load_cases out.")
+                raise ValueError("load_cases say where limits apply. Give limits, or leave load_cases out.")
             return self
         low, high = self.limits
         if low is None and high is None:

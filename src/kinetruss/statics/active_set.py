@@ -150,14 +150,14 @@ def solve_one_sided(
     known = held, x, flexible, tension, load, kinks, given
     try:
         return _searched(*known, kinks.before)[0]
-    except InputError as loose:
+    except InputError as mechanism:
         if not len(kinks.row):
             raise
         # a mechanism until some of them touch: where it goes is found with weak springs in place of nothing
         found, state = _searched(*known, _searched(*known, kinks.before, WEAK)[1])
         way = np.where(state > 0, kinks.upper, np.where(state < 0, kinks.lower, 0.0))
         if np.abs(way).max() > FAR * np.ptp(x, axis=0).max():
-            raise loose from None
+            raise mechanism from None
         return found
 
 
@@ -211,6 +211,6 @@ def _searched(
 
 
 def _slack(held: System, rows: NDArray[np.int64]) -> tuple[str, ...]:
-    """Members, springs and stops of the user that carry nothing; those of supports are told apart."""
+    """Members, springs and stops of the user that carry nothing; those of supports are listed by themselves."""
     names: Sequence[str] = [held.row_name(r) for r in rows]
     return tuple(name for name in names if name not in held.inner.elements)
