@@ -45,7 +45,7 @@ class Quantity(Record):
     words : what it is, for tables and pictures.
     limits : least and largest value allowed, m, rad or a plain number; null for none. The verdict of a run checks
     them.
-    load_cases : names of the load cases and combinations in which the limits apply, as those of a deflection in the combinations
+    load_cases : names of the load cases and combinations in which the limits apply, as those of a deflection in combinations
     of serviceability; the name of a standard means all of its combinations. By default all. In a motion that does not depend on
     loads they always apply.
 

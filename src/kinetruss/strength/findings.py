@@ -21,7 +21,7 @@ class Finding:
     """What a result says: terminal, report, page and studio show these words.
 
     members, drives, quantities : every check of a part, of a drive and of a quantity of the model, worst first; `Row.status`
-    tells whether its limit is kept.
+    is whether its limit is kept.
     left_out : sentences on actions that no check includes. partial : why the result is not that which was asked for; empty if
     it is. doubts : sentences on what makes its numbers unsure.
     """
