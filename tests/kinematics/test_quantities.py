@@ -349,7 +349,7 @@ def test_limits_hold_in_the_load_cases_that_are_named():
     assert kt.run(everywhere, "stand").finding.state != "ok"  # 1.35 times as much
     with pytest.raises(kt.ModelError, match="no load case called 'slz'. Did you mean 'sls'"):
         rod.with_(quantities={"drop": rod.quantities["drop"].with_(load_cases=("slz",))})
-    with pytest.raises(kt.ModelError, match="load_cases say where limits are asked for"):
+    with pytest.raises(kt.ModelError, match="load_cases say where limits apply"):
         kt.Quantity("B.y", load_cases=("sls",))
 
 
