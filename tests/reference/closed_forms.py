@@ -14,6 +14,7 @@ from reference.beam_forms import beams, conditions
 from reference.joint_forms import joints
 from reference.spring_forms import springs
 from reference.task_forms import tasks
+from reference.textbook_forms import textbooks
 
 __all__ = ["ALL"]
 
@@ -446,4 +447,5 @@ ALL: tuple[Callable[[], Numbers], ...] = (
     beams,
     conditions,
     tasks,
+    textbooks,
 )

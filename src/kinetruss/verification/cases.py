@@ -198,7 +198,18 @@ def relative_difference(computed: float, expected: float, scale: float = 0.0) ->
     return distance / size if size > 0 else math.inf
 
 
-GROUPS = ("thesis", "drive_trains", "structures", "forward", "solids", "mechanisms", "flexible", "members", "tasks")
+GROUPS = (
+    "thesis",
+    "drive_trains",
+    "structures",
+    "forward",
+    "solids",
+    "mechanisms",
+    "flexible",
+    "members",
+    "tasks",
+    "textbooks",
+)
 _LOADER: Any = getattr(yaml, "CSafeLoader", yaml.SafeLoader)
 
 
