@@ -9,6 +9,7 @@ from pathlib import Path
 import api
 import gallery
 import manual
+import parts
 import tables
 
 ROOT = Path(__file__).parents[2]
@@ -36,6 +37,7 @@ def write(_app: object = None) -> None:
         KEY.unlink(missing_ok=True)
         found += computed()
         KEY.write_text(now, "utf-8")
+    parts.write(MADE / "parts", now)
     for name, text in chain(*found):
         path = MADE / name
         path.parent.mkdir(parents=True, exist_ok=True)
