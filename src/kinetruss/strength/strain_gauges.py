@@ -206,9 +206,10 @@ def _read(model: Model, strain: NDArray[np.float64]) -> NDArray[np.float64]:
     found = strain.copy()
     for k, gauge in enumerate(model.gauges.values()):
         material = model.material_of(_owner(model, gauge))
-        if not gauge.temperature or gauge.matched_expansion is None or material is None:
-            continue
-        thermal = (material.thermal_expansion - gauge.matched_expansion) * gauge.temperature
+        expansion = None if material is None else material.thermal_expansion
+        if not gauge.temperature or gauge.matched_expansion is None or expansion is None:
+            continue  # warm on a material without expansion: a fault
+        thermal = (expansion - gauge.matched_expansion) * gauge.temperature
         if gauge.bridge is None:
             found[:, k] += 1e6 * thermal
         else:

@@ -93,7 +93,7 @@ def bay_with_hubs(stroke: float) -> Numbers:
     top, force of an actuator.
     """
     light = kt.Material(E=71e9, density=0.0)
-    none = {"material": light, "base_mass": 0.0, "tube_mass": 0.0, "gravity": None}
+    none: dict[str, Any] = {"material": light, "base_mass": 0.0, "tube_mass": 0.0, "gravity": None}
     bay = kt.library.vgt.double_octahedral(joint_offset=0.04, tip_force=(0, 0, -200.0), **none)
     found = at_poses(bay, [dict.fromkeys(("M7", "M9", "M11"), 1.1684 - 0.08 + stroke)])
     return {"height": found.motion.position.sel(node="N7", axis="z")[0], "force": found.drive_force[0, 0]}
