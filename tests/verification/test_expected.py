@@ -13,7 +13,18 @@ import kinetruss as kt
 from kinetruss.verification import solids
 from kinetruss.verification.cases import cases, model, stored
 from kinetruss.verification.mechanisms import BENNETT
-from reference import andrews, bennett, closed_forms, linkages, pendulums, recursive_bays, rods, spring_forms, total_lagrange
+from reference import (
+    andrews,
+    bennett,
+    closed_forms,
+    hub_bay,
+    linkages,
+    pendulums,
+    recursive_bays,
+    rods,
+    spring_forms,
+    total_lagrange,
+)
 from reference.octahedral import Bay, quintic
 from reference.taylor import Taylor
 
@@ -48,6 +59,15 @@ def test_every_closed_form_that_is_stored_is_recomputed():
         if case.reference.kind == "closed-form" and case.expected != 0 and not name.startswith(OTHERWISE)
     }
     assert left <= known, sorted(left - known)
+
+
+@pytest.mark.parametrize(("name", "stroke"), [("shorter", -0.05), ("longer", 0.06)])
+def test_the_bay_with_offset_joints(name, stroke):
+    nodes = kt.library.vgt.double_octahedral().nodes
+    place, rise = hub_bay.ThreeFold({name: node.at for name, node in nodes.items()}, 0.04).moved(stroke)
+    near(f"hub.bay.{name}.height", place[2], 1e-13)
+    # by a difference of fourth order
+    near(f"hub.bay.{name}.force", 200 * rise, 1e-11)
 
 
 @pytest.mark.parametrize("kind", total_lagrange.KINDS)

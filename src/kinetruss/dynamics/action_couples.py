@@ -45,7 +45,11 @@ def actions_of_drives(system: System, bars: Bars) -> Found:
         i, key = int(system.row_member[r]), ("drive", system.drives[system.row_drive[r]])
         couple = partial(_torque, key)
         yield Action(source=key[1], kind=key[0], member=i, place=float(bars.pivot(i)), couple=couple, counted=True)
+    spins = {("coupling", one.coupling) for one in system.inner.spins}
     for k, side in enumerate(sides_of(system)):
+        if side.source in spins:
+            # it bends nothing: what it holds, nothing else drives or loads
+            continue
         if side.member >= 0:
             yield _spoke(bars, k, side, 1, side.member, bars.pivot(side.member))
         elif side.turns:

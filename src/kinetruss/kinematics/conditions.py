@@ -104,7 +104,7 @@ def _changed(model: Model, chosen: Condition) -> Model:
     if faults := list(condition_faults(model, chosen, ("condition",))):
         raise ModelError(faults)
     found = _laden(model.with_(runs={}, conditions={}), chosen)
-    found = _without(found, chosen)
+    found = _warm_gauges(_without(found, chosen), chosen)
     return _warmed(found, chosen)
 
 
@@ -268,6 +268,15 @@ def _warmed(model: Model, condition: Condition) -> Model:
     place = _closed(model if hubs == model.hubs else keeping(model.bars), stretched)
     nodes = {name: node.with_(at=tuple(at)) for (name, node), at in zip(model.nodes.items(), place.tolist(), strict=False)}
     return keeping(bars).with_(nodes=nodes)
+
+
+def _warm_gauges(model: Model, condition: Condition) -> Model:
+    """Gauges with the temperature of their members."""
+    warmer = {name: condition.temperatures.get(one.member, condition.temperature) for name, one in model.gauges.items()}
+    if not any(warmer.values()):
+        return model
+    gauges = {name: one.with_(temperature=one.temperature + warmer[name]) for name, one in model.gauges.items()}
+    return model.with_(gauges=gauges)
 
 
 def _warmed_hubs(system: System, factor: Callable[[str, Bar], float]) -> dict[str, Any]:

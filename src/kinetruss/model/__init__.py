@@ -51,6 +51,7 @@ if TYPE_CHECKING:
     from kinetruss.model.links import (
         Link as Link,
         Piece as Piece,
+        bars_as_links as bars_as_links,
     )
     from kinetruss.model.load_cases import (
         Asce7 as Asce7,
@@ -89,7 +90,6 @@ if TYPE_CHECKING:
         Group as Group,
         Mission as Mission,
         Settle as Settle,
-        matched as matched,
         mission_faults as mission_faults,
     )
     from kinetruss.model.plausible import plausibility as plausibility, turned_far as turned_far
@@ -115,6 +115,7 @@ if TYPE_CHECKING:
         Whole as Whole,
         short_form as short_form,
     )
+    from kinetruss.model.references import matched as matched
     from kinetruss.model.run_checks import (
         condition_faults as condition_faults,
         event_faults as event_faults,

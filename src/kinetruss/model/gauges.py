@@ -6,7 +6,7 @@ import math
 from collections.abc import Iterator
 from typing import TYPE_CHECKING, Annotated, Any, Literal
 
-from pydantic import Field, model_validator
+from pydantic import Field, field_validator, model_validator
 
 from kinetruss.errors import Fault
 from kinetruss.model.drives import CoordinateName
@@ -39,14 +39,17 @@ class Bridge(Record):
 
     kind : the active arms. ``quarter``: the gauge alone; ``half_bending``: a second one with the opposite strain, beside it;
     ``half_axial``: one across the axis; ``half_opposite``: one with the same strain, opposite; ``full_bending`` and
-    ``full_axial``: two such pairs. excitation, V. gain : of the amplifier. linear : True if the readings are to be taken as
+    ``full_axial``: two such pairs; ``half_dummy``: a second one on a piece of the same material without load, beside it, that
+    compensates the temperature. excitation, V. gain : of the amplifier. linear : True if the readings are to be taken as
     proportional to strain (an instrument that corrects them). poisson : ratio of the strains across and along.
     resistance : of the gauge, lead : of one lead of three, ohm. zero : reading at zero strain, zero_end : the same after the
     record, V; between them it drifts linearly. shunt : resistor across the gauge, ohm, and shunt_reading : the change of the
     reading that it made, V.
     """
 
-    kind: Literal["quarter", "half_bending", "half_axial", "half_opposite", "full_bending", "full_axial"] = "quarter"
+    kind: Literal["quarter", "half_bending", "half_axial", "half_opposite", "half_dummy", "full_bending", "full_axial"] = (
+        "quarter"
+    )
     excitation: Voltage
     gain: PositiveNumber = 1.0
     linear: Flag = False
@@ -80,6 +83,10 @@ class Gauge(Record):
     resistance over strain. direction : of the gauge from the axis, towards growing `angle`, rad (shear gauges: +-45 deg).
     bridge : for records in volts. group : gauges of one name, at one section, whose readings are split into axial strain,
     bending and shear.
+    temperature : of the gauge and the part under it, difference from that at which the gauge reads zero, K; a condition of a
+    run adds its own. matched_expansion : thermal expansion of the material that the gauge is matched to, 1/K: it reads
+    (expansion of the part - matched_expansion) temperature besides the strain by forces. By default it is matched to the part.
+    Of a gauge without compensation it is that of its grid less temperature coefficient of its resistance over `factor`.
     """
 
     member: MemberName
@@ -92,6 +99,15 @@ class Gauge(Record):
     group: Name | None = None
     direction: Angle = 0.0
     bridge: Bridge | None = None
+    temperature: Number = 0.0
+    matched_expansion: Number | None = None
+
+    @field_validator("matched_expansion")
+    @classmethod
+    def _expansion(cls, value: float | None) -> float | None:
+        if value is not None and not abs(value) < 1e-3:
+            raise ValueError(f"{value:g} is no coefficient of expansion, 1/K. A gauge for steel: 11e-6.")
+        return value
 
     @model_validator(mode="after")
     def _one_place(self) -> Gauge:
@@ -178,6 +194,13 @@ def _place(model: ModelData, name: str, gauge: Any) -> Iterator[Fault]:
     if gauge.direction and (gauge.radius is not None or getattr(record, "kind", None) == "general"):
         mend = "Leave out radius, and use a round or rectangular section: shear is known on their surface only."
         yield Fault((*path, "direction"), "is given where the shear of the surface is not known.", mend, about=about)
+    if gauge.temperature and gauge.matched_expansion is not None:
+        named = part.material or model.material
+        material = model.materials.get(named) if isinstance(named, str) else named
+        if material is not None and material.thermal_expansion is None:
+            mend = "Give it thermal_expansion, 1/K."
+            message = f"reads a temperature on {_called(gauge)}, whose material has no thermal expansion."
+            yield Fault(path, message, mend, about=(*about, ("materials",)))
     if gauge.distance is not None:
         yield from _distance(model, name, gauge, part)
 

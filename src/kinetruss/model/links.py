@@ -8,18 +8,20 @@ from typing import TYPE_CHECKING, Annotated, Any, Literal
 
 from pydantic import Field, model_validator
 
-from kinetruss.errors import Fault, few
+from kinetruss.errors import Fault, ModelError, few, shown
 from kinetruss.model.beams import Beam, Vector
 from kinetruss.model.members import Brace, EndCondition
 from kinetruss.model.record import Delay, Distance, Flag, Mass, Name, Record, Series, short_form
-from kinetruss.model.references import NodeName, names_in
+from kinetruss.model.references import NodeName, matched, names_in
 from kinetruss.model.sections import MaterialOrName, SectionOrName
 from kinetruss.model.table import ReadOnly, Table
+from kinetruss.model.words import nearest
 
 if TYPE_CHECKING:
     from collections.abc import Iterator, Mapping
 
     from kinetruss.model.data import ModelData
+    from kinetruss.model.members import Bar
     from kinetruss.model.the_model import Model
     from kinetruss.model.whole import WholeModel
 
@@ -90,6 +92,56 @@ def with_stiff_links(model: Model) -> Model:
         return model
     stiff = {"kind": "rigid", "damping": 0.0}
     return model.with_(links={name: StiffLink(**(dict(one) | stiff)) for name, one in model.links.items()})
+
+
+def bars_as_links(model: Model, *bars: str, **fields: Any) -> Model:
+    """The model with some of its bars as links, which bend: in statics, as elastic ones also in simulations.
+
+    They have the ends, section, material, mass, orientation and buckling of the bar. Beams give them section forces at all
+    stations (`strength.beams`), deflections, and loads and pins between their ends.
+
+    Parameters
+    ----------
+    bars : names or patterns (``*``, ``?``, ``[..]``) of rigid bars. fields : of all these links: `kind`, `damping`, ...
+
+    Raises
+    ------
+    ModelError : a pattern that no bar has; a bar that is not rigid, or has what links do not have; all faults of the result.
+
+    Examples
+    --------
+    >>> import kinetruss as kt
+    >>> bay = kt.library.vgt.double_octahedral()
+    >>> soft = bars_as_links(bay, "M1?", "M6", kind="elastic")
+    >>> list(soft.links), soft.links["M6"].nodes
+    (['M13', 'M14', 'M15', 'M16', 'M17', 'M18', 'M19', 'M6'], ('N5', 'N2'))
+    """
+    chosen: dict[str, Bar] = {}
+    for pattern in bars:
+        names = matched(list(model.bars), pattern)
+        if not names:
+            raise ModelError([Fault(("bars",), f"none is called {shown(pattern)}.", nearest(pattern, model.bars))])
+        chosen |= {name: model.bars[name] for name in names}
+    if faults := [fault for name, bar in chosen.items() for fault in _no_link(name, bar)]:
+        raise ModelError(faults)
+    kept = ("section", "material", "mass", "orientation", "buckling")
+    links = {
+        name: Link(**{"nodes": bar.ends} | {key: getattr(bar, key) for key in kept if key in bar.model_fields_set} | fields)
+        for name, bar in chosen.items()
+    }
+    return model.with_(bars={name: bar for name, bar in model.bars.items() if name not in chosen}, links=model.links | links)
+
+
+def _no_link(name: str, bar: Bar) -> Iterator[Fault]:
+    """What a bar has and a link has not."""
+    path = ("bars", name)
+    if bar.kind != "rigid":
+        yield Fault((*path, "kind"), f"is {bar.kind}: a link keeps its length.", "Name rigid bars.")
+    for field in ("body", "length"):
+        if getattr(bar, field) is not None:
+            yield Fault((*path, field), "is given, which links do not have.", "Leave the bar as it is, or the field out.")
+    if any(bar.friction):
+        yield Fault((*path, "friction"), "is given, which links do not have.", "Leave the bar as it is, or the field out.")
 
 
 class Piece(Beam):

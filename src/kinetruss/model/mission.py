@@ -2,8 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
-from fnmatch import fnmatchcase
+from collections.abc import Iterator
 from typing import Annotated, Any
 
 from pydantic import BeforeValidator, Field, Tag, ValidationError, WithJsonSchema, model_validator
@@ -13,7 +12,7 @@ from kinetruss.model.catalogues import Catalogue, CatalogueText
 from kinetruss.model.data import Safety
 from kinetruss.model.members import Active
 from kinetruss.model.record import Flag, Name, NameOrRecord, Number, Record, Whole
-from kinetruss.model.references import LoadCaseNames, unknown_names
+from kinetruss.model.references import LoadCaseNames, matched, unknown_names
 from kinetruss.model.table import Filled
 from kinetruss.model.the_model import Model
 from kinetruss.model.words import faults_of, nearest
@@ -102,15 +101,6 @@ class Mission(Record):
     @classmethod
     def _faults(cls, error: ValidationError, data: dict[str, Any]) -> list[Fault]:
         return faults_of(error, data, cls)
-
-
-def matched(names: Sequence[str], pattern: str) -> list[str]:
-    """The names that match a pattern: the pattern itself if it is a name, else all that fit it.
-
-    >>> matched(["M1", "M2", "M13"], "M[12]"), matched(["M1"], "M1")
-    (['M1', 'M2'], ['M1'])
-    """
-    return [pattern] if pattern in names else [name for name in names if fnmatchcase(name, pattern)]
 
 
 def mission_faults(model: Model, mission: Mission) -> list[Fault]:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Collection, Iterable, Iterator, Mapping, Sequence
+from fnmatch import fnmatchcase
 from functools import cache, partial
 from operator import attrgetter
 from types import UnionType
@@ -202,3 +203,12 @@ def _of_union(choices: Sequence[tuple[type, Reader]], value: Any, known: Known) 
         if isinstance(value, kind):
             return read(value, known)
     return ()
+
+
+def matched(names: Sequence[str], pattern: str) -> list[str]:
+    """The names that match a pattern: the pattern itself if it is a name, else all that fit it.
+
+    >>> matched(["M1", "M2", "M13"], "M[12]"), matched(["M1"], "M1")
+    (['M1', 'M2'], ['M1'])
+    """
+    return [pattern] if pattern in names else [name for name in names if fnmatchcase(name, pattern)]

@@ -235,6 +235,10 @@ class _Job:
                 if len(several) > 1:
                     raise InputError(f"{name!r} stands for {len(several)} coordinates. Name one, e.g. {several[0].name!r}.")
                 self.own[k] = several[0]
+            warm = any(one.name == "temperature" for one in chosen)
+            if warm and kind == "strain" and model.gauges[place].matched_expansion is not None:
+                # the parameter changes lengths only
+                raise InputError(f"What gauge {place!r} reads of a temperature is not in a budget. Leave one of both out.")
         self.units = [
             self.own[k].unit if k in self.own else MICROSTRAIN if kind == "strain" else "N"
             for k, (_, kind) in enumerate(self.kinds)

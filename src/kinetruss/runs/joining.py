@@ -53,7 +53,7 @@ def gauge_strains(
     zero = model.gauge_zero
     if zero is not None and zero.time is not None and times[0] <= zero.time <= times[-1]:
         times = _also(times, np.array([zero.time]))
-    return strength.gauges(model, forces_at(model, name, times, load_case=load_case))
+    return strength.gauges(job.model, forces_at(model, name, times, load_case=load_case), zero_of=job.origin)
 
 
 def _also(times: np.ndarray, more: np.ndarray) -> np.ndarray:

@@ -19,6 +19,7 @@ if TYPE_CHECKING:
     from kinetruss.strength.findings import Finding as Finding, find as find
     from kinetruss.strength.gauge_records import (
         bridge_output as bridge_output,
+        bridge_reading as bridge_reading,
         bridge_strain as bridge_strain,
         compare_gauges as compare_gauges,
         measured_strains as measured_strains,

@@ -32,26 +32,51 @@ def _arms(bridge: Bridge) -> tuple[float, float, float, float]:
         "half_bending": (1.0, -1.0, 0.0, 0.0),
         "half_axial": (1.0, -nu, 0.0, 0.0),
         "half_opposite": (1.0, 0.0, 1.0, 0.0),
+        "half_dummy": (1.0, 0.0, 0.0, 0.0),
         "full_bending": (1.0, -1.0, 1.0, -1.0),
         "full_axial": (1.0, -nu, 1.0, -nu),
     }[bridge.kind]
 
 
-def bridge_output(strain: ArrayLike, bridge: Bridge, factor: float) -> NDArray[np.float64]:
-    """Output over excitation, V/V, at a strain (m/m): R1/(R1 + R2) - R4/(R3 + R4) with R_i = R (1 + k a_i e).
+def _gauged(bridge: Bridge) -> tuple[float, float, float, float]:
+    """1 for arms that are gauges, which all have the same temperature; 0 for resistors."""
+    if bridge.kind == "half_dummy":
+        return 1.0, 1.0, 0.0, 0.0
+    one, two, three, four = (float(arm != 0) for arm in _arms(bridge))
+    return one, two, three, four
 
-    k is the gauge factor, less the share of the leads, R/(R + R_lead); of a ``linear`` bridge the first-order part.
+
+def bridge_output(strain: ArrayLike, bridge: Bridge, factor: float, thermal: ArrayLike = 0.0) -> NDArray[np.float64]:
+    """Output over excitation, V/V, at a strain (m/m): R1/(R1 + R2) - R4/(R3 + R4) with R_i = R (1 + k (a_i e + b_i t)).
+
+    k is the gauge factor, less the share of the leads, R/(R + R_lead); of a ``linear`` bridge the first-order part. t is the
+    `thermal` strain (m/m) that every gauge of the bridge reads besides; b_i is 1 for gauges, 0 for resistors.
 
     >>> import kinetruss as kt
     >>> quarter = kt.Bridge(kind="quarter", excitation=5.0, linear=True)
     >>> kt.strength.bridge_output(1e-3, quarter, factor=2.0).round(9).item()  # V/V: k e/4
     0.0005
     """
-    a, b, c, d = _arms(bridge)
-    x = _seen(bridge, factor) * np.asarray(strain, float)
+    x, y = (_seen(bridge, factor) * np.asarray(one, float) for one in (strain, thermal))
+    a, b, c, d = (arm * x + gauge * y for arm, gauge in zip(_arms(bridge), _gauged(bridge), strict=True))
     if bridge.linear:
-        return np.asarray(x * (a - b + c - d) / 4)
-    return np.asarray((1 + a * x) / (2 + (a + b) * x) - (1 + d * x) / (2 + (c + d) * x))
+        return np.asarray((a - b + c - d) / 4)
+    return np.asarray((1 + a) / (2 + a + b) - (1 + d) / (2 + c + d))
+
+
+def bridge_reading(strain: ArrayLike, thermal: ArrayLike, bridge: Bridge, factor: float) -> NDArray[np.float64]:
+    """The strain (m/m) that the output of a bridge stands for where all its gauges read a thermal strain (m/m) besides.
+
+    >>> import kinetruss as kt
+    >>> for kind in ("quarter", "half_opposite", "half_dummy", "full_bending"):
+    ...     print(kind, kt.strength.bridge_reading(1e-3, 2e-4, kt.Bridge(kind=kind, excitation=5.0, linear=True), 2.0).round(9))
+    quarter 0.0012
+    half_opposite 0.0012
+    half_dummy 0.001
+    full_bending 0.001
+    """
+    output = bridge_output(strain, bridge, factor, thermal)
+    return _solved(bridge.gain * bridge.excitation * output, bridge, factor)
 
 
 def bridge_strain(volts: ArrayLike, bridge: Bridge, factor: float, times: ArrayLike | None = None) -> NDArray[np.float64]:

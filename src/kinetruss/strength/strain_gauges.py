@@ -13,6 +13,7 @@ from kinetruss.arrays import array_of
 from kinetruss.errors import InputError
 from kinetruss.model import GaugeZero, Model, Quintic
 from kinetruss.results import Forces, variable
+from kinetruss.strength.gauge_records import bridge_reading
 from kinetruss.strength.parts import Parts, parts_of
 from kinetruss.strength.section_forces import sections
 
@@ -22,13 +23,14 @@ if TYPE_CHECKING:
     from kinetruss.model import Material
 
 
-def gauges(model: Model, forces: Forces, *, zeroed: bool = True) -> xr.Dataset:
+def gauges(model: Model, forces: Forces, *, zeroed: bool = True, zero_of: Model | None = None) -> xr.Dataset:
     """Strain at every gauge of the model, its split into axial and bending strain by groups, and the output of its bridge.
 
     Parameters
     ----------
     forces : from `dynamics.inverse` of the same model; ``forces.static`` gives the readings of the same poses at rest.
-    zeroed : subtract the readings at ``model.gauge_zero``, if the model has one.
+    zeroed : subtract the readings at ``model.gauge_zero``, if the model has one. zero_of : the model in which the gauges were
+        set to zero, as it was before a condition; by default `model`.
 
     Returns
     -------
@@ -41,7 +43,7 @@ def gauges(model: Model, forces: Forces, *, zeroed: bool = True) -> xr.Dataset:
     Raises
     ------
     InputError : a model without gauges, forces of another model, a zero at a time outside the motion, gauges of a group that
-        do not separate axial strain from bending.
+        do not separate axial strain from bending, a zero of a warm elastic model without `zero_of`.
 
     Notes
     -----
@@ -50,6 +52,8 @@ def gauges(model: Model, forces: Forces, *, zeroed: bool = True) -> xr.Dataset:
     strain g = tau/G of V2 and V3 along the surface: as in the stresses, exact for a thin tube. Groups by least squares; three
     gauges 120 degrees apart: axial = their mean. Quarter bridge: output = k e/(4 + 2 k e), k the gauge factor. Set to zero at
     rest, at the sample nearest to a time given as zero.
+    Under a temperature T a gauge reads the thermal strain t = (alpha of the part - alpha that it is matched to) T besides: in
+    a quarter bridge e + t, in others what the bridge makes of it (`bridge_reading`). A zero at a time of the run has it too.
     Source: Lacy (1991, section 5.4: three gauges on M6); Window, Strain Gauge Technology (1992), for the bridge.
 
     Examples
@@ -67,10 +71,10 @@ def gauges(model: Model, forces: Forces, *, zeroed: bool = True) -> xr.Dataset:
     if not model.gauges:
         raise InputError("The model has no gauges. Add some, e.g. gauges: {G1: {member: M6, angle: 0 deg, factor: 2.1}}.")
     places = _places(model)
-    strain = _strain(model, forces, places)
-    zero = np.zeros(len(model.gauges))
-    if zeroed and model.gauge_zero is not None:
-        zero = _strain(model, _reference(model, forces, model.gauge_zero), places)[0]
+    strain, zero = _read(model, _strain(model, forces, places)), np.zeros(len(model.gauges))
+    record = (zero_of or model).gauge_zero
+    if zeroed and record is not None:
+        zero = _zero(model, forces, record, zero_of)
     strain = strain - zero
     factor = np.array([gauge.factor for gauge in model.gauges.values()])
     change = 1e-6 * strain * factor
@@ -195,6 +199,37 @@ def _strain(model: Model, forces: Forces, places: _Places) -> NDArray[np.float64
         V = V[..., -2:] if V.shape[-1] > 1 else V
         strain = strain + per * (V * places.shear[:, : V.shape[-1]]).sum(axis=-1)
     return np.asarray(1e6 * strain)
+
+
+def _read(model: Model, strain: NDArray[np.float64]) -> NDArray[np.float64]:
+    """What gauges read of strains by forces (times, gauges), 1e-6: with that by their temperature, as their bridge takes it."""
+    found = strain.copy()
+    for k, gauge in enumerate(model.gauges.values()):
+        material = model.material_of(_owner(model, gauge))
+        expansion = None if material is None else material.thermal_expansion
+        if not gauge.temperature or gauge.matched_expansion is None or expansion is None:
+            continue  # warm on a material without expansion: a fault
+        thermal = (expansion - gauge.matched_expansion) * gauge.temperature
+        if gauge.bridge is None:
+            found[:, k] += 1e6 * thermal
+        else:
+            found[:, k] = 1e6 * bridge_reading(1e-6 * strain[:, k], thermal, gauge.bridge, gauge.factor)
+    return found
+
+
+def _zero(model: Model, forces: Forces, record: GaugeZero, zero_of: Model | None) -> NDArray[np.float64]:
+    """The readings (gauges,) at the reference pose, 1e-6: at a time of the run as they are then, else without temperature."""
+    if record.time is not None:
+        return np.asarray(_read(model, _strain(model, _reference(model, forces, record), _places(model)))[0])
+    warm = any(gauge.temperature for gauge in model.gauges.values())
+    if zero_of is None and warm and any(bar.kind in ("elastic", "cable") for bar in model.bars.values()):
+        raise InputError(
+            "The gauges are warm, and elastic bars may have forces by the temperature, which the zero must not take off. "
+            "Give the model as it was when they were set to zero: zero_of=model."
+        )
+    set_in = model if zero_of is None else zero_of
+    there = dict(zip(set_in.gauges, _strain(set_in, _reference(set_in, forces, record), _places(set_in))[0], strict=True))
+    return np.array([there[name] for name in model.gauges])
 
 
 def _per_force(parts: Parts, k: int, dim: int) -> NDArray[np.float64]:

@@ -76,12 +76,35 @@ def linkage() -> Numbers:
     """A heavy four-bar linkage with hubs: residuals of all free bodies and of the energy, relative."""
     four, start = model("heavy_linkage"), math.atan2(0.15, 0.05)
     motion = follow(four, kt.Quintic(moves={"motor": (start, start + 1.0)}, duration=0.4), samples=9)
-    forces = kt.dynamics.inverse(four, motion)
-    cuts = [{"member": name} for name in four.whole.real_members]
-    cuts += [{"node": name} for name in four.whole.nodes]
-    left = [kt.dynamics.free_body(four, motion, forces, time=t, **cut).residual for t in (0.1, 0.2, 0.25) for cut in cuts]
+    return _left(four, kt.dynamics.inverse(four, motion), (0.1, 0.2, 0.25))
+
+
+def _left(held: kt.Model, forces: kt.results.Forces, times: tuple[float, ...]) -> Numbers:
+    """Residuals of the free bodies of all members and nodes, over the largest joint force, and of the energy."""
+    cuts = [{"member": name} for name in held.whole.real_members]
+    cuts += [{"node": name} for name in held.whole.nodes]
+    left = [kt.dynamics.free_body(held, forces.motion, forces, time=t, **cut).residual for t in times for cut in cuts]
     data = forces.data
     return {"free_bodies": max(left) / abs(data.joint_force).max(), "energy": share(data.energy_balance, data.power)}
+
+
+def bay_with_hubs(stroke: float) -> Numbers:
+    """The massless bay with joints 40 mm off its nodes, 200 N on each corner, its actuators longer by a stroke: height of its
+    top, force of an actuator.
+    """
+    light = kt.Material(E=71e9, density=0.0)
+    none: dict[str, Any] = {"material": light, "base_mass": 0.0, "tube_mass": 0.0, "gravity": None}
+    bay = kt.library.vgt.double_octahedral(joint_offset=0.04, tip_force=(0, 0, -200.0), **none)
+    found = at_poses(bay, [dict.fromkeys(("M7", "M9", "M11"), 1.1684 - 0.08 + stroke)])
+    return {"height": found.motion.position.sel(node="N7", axis="z")[0], "force": found.drive_force[0, 0]}
+
+
+def slewed_bay_with_hubs() -> Numbers:
+    """A bay with heavy members and joints 30 mm off its nodes in a slew: as `linkage`."""
+    bay = kt.library.vgt.double_octahedral(joint_offset=0.03, payload_mass=5.0)
+    slew = kt.Quintic(moves={"M7": (1.1084, 1.05), "M9": (1.1084, 1.13), "M11": (1.1084, 1.14)}, duration=1.0)
+    forces = kt.dynamics.inverse(bay, follow(bay, slew, samples=5))
+    return _left(bay, forces, (0.25, 0.75))
 
 
 def pendulum() -> Numbers:

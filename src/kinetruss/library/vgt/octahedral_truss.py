@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from typing import Annotated, Any
 
+import numpy as np
 from pydantic import Field
 
 from kinetruss.library.building import builder, own_arguments
@@ -19,6 +20,7 @@ from kinetruss.model import (
     ForceVector,
     Gear,
     GravityVector,
+    Hub,
     LeadScrew,
     Mass,
     Material,
@@ -35,6 +37,13 @@ from kinetruss.model.members import EndCondition
 from kinetruss.model.sections import Section
 
 TOP = ("N7", "N8", "N9")
+
+LEAVES = {"N4": ("M3", "M4"), "N6": ("M1", "M2"), "N5": ("M5", "M6")}
+"""Middle node -> the lower longeron that its hub clamps, and the one that is hinged there, about the normal of both."""
+CORNERS = {"N7": ("M19", "M15", "N8"), "N9": ("M21", "M13", "N7"), "N8": ("M20", "M17", "N9")}
+"""Top node -> the batten that its hub clamps, the upper longeron that is hinged there, and the other end of the edge of the
+top about which it swings.
+"""
 
 MOST_BAYS = MOST_ENTRIES // 18
 Bays = Annotated[Count, Field(le=MOST_BAYS)]
@@ -68,6 +77,7 @@ def double_octahedral(
     motor: Motor | Name | None = None,
     limits: tuple[PositiveLength, PositiveLength] | None = None,
     compliance: Compliance | None = None,
+    joint_offset: PositiveLength | None = None,
     buckling: EndCondition = "pinned-pinned",
     safety: Safety = Safety(),
     title: str = "",
@@ -96,11 +106,21 @@ def double_octahedral(
     rotary_inertia : include that of the finite diameter of bars and tubes.
     screw, gear, motor : of every active member, records or library names, e.g. ``screw_lacy_spatial``. limits : least and
         largest length of the active members, m. compliance : of their screw, nut and base, in elastic analyses.
+    joint_offset : distance of the joints of all members from their nodes, m: each node becomes a rigid hub (see below). Poses
+        have no closed form then; the lengths of the active members, which are those between their joints, move the bays.
     buckling : ends of all members. safety : factors on yield and buckling.
 
     Returns
     -------
     Model. Local axis 3 of every bar is the normal of a face it bounds, of every active member that of the middle triangle.
+
+    Notes
+    -----
+    With `joint_offset` the hubs of the base are bolted to the ground. Each middle hub turns with its lower leaf, of which it
+    clamps one longeron; the other is hinged to it about the normal of the leaf. Each hub of the top clamps one batten, and one
+    upper longeron swings at it about an edge of the top. All other joints are ball joints. So hubs hold each other without
+    states of self-stress: 3 freedoms a bay, and all forces follow from statics. The thesis has no design of its joints; this
+    one is the library's. Arms have the section and material of the bars.
 
     Raises
     ------
@@ -111,6 +131,9 @@ def double_octahedral(
     >>> model = double_octahedral(beta="-10 deg", gravity=(0, 0, 9.81), tip_force=(0, 0, "46 N"))
     >>> len(model.nodes), len(model.members), [round(x, 6) for x in model.nodes["N8"].at]
     (9, 18, [0.0, 0.790985, 0.995325])
+    >>> real = double_octahedral(joint_offset="30 mm")
+    >>> real.whole.bars["M6"].ends, real.poses == {}
+    (('N5.M6', 'N2.M6'), True)
     """
     hardware = Rods(
         section=section,
@@ -137,13 +160,36 @@ def double_octahedral(
         last = bay.with_(nodes={name: node.with_(**load) if name in TOP else node for name, node in bay.nodes.items()})
     top = {name: name if bays == 1 else f"B{bays}.{name}" for name in TOP}
     chain = stacked([bay] * (bays - 1) + [last], "B")
-    return chain.model(
+    ideal = chain.model(
         title=title or f"Double-octahedral truss, {bays} bay{'s' if bays > 1 else ''}",
         fixed=list(chain.places)[:3],
         gravity=gravity,
         loads={} if tip_force is None else {f"tip_{k}": NodalForce(node=node, force=tip_force) for k, node in top.items()},
         safety=safety,
     )
+    return ideal if joint_offset is None else _with_hubs(ideal, bays, joint_offset)
+
+
+def _with_hubs(ideal: Model, bays: int, offset: float) -> Model:
+    """The truss with a hub at every node; see `double_octahedral`."""
+    places = {name: np.array(node.at) for name, node in ideal.nodes.items()}
+    matter = {"section": "bar" if "bar" in ideal.sections else None, "material": "bar" if "bar" in ideal.materials else None}
+
+    def along(node: str, member: str) -> Any:
+        """The vector of a member from one of its nodes."""
+        one, other = ideal.bars[member].ends
+        return places[other if node == one else one] - places[node]
+
+    hubs = {node: Hub(reach=offset, **matter) for node in ideal.fixed}
+    for prefix in [""] if bays == 1 else [f"B{k}." for k in range(1, bays + 1)]:
+        for node, (clamped, hinged) in LEAVES.items():
+            name, members = prefix + node, (prefix + clamped, prefix + hinged)
+            axis = np.cross(along(name, members[0]), along(name, members[1]))
+            hubs[name] = Hub(reach=offset, clamped=members[:1], hinges={members[1]: axis}, **matter)
+        for node, (clamped, hinged, other) in CORNERS.items():
+            name, edge = prefix + node, places[prefix + other] - places[prefix + node]
+            hubs[name] = Hub(reach=offset, clamped=(prefix + clamped,), hinges={prefix + hinged: edge}, **matter)
+    return ideal.with_(hubs=hubs, poses={})
 
 
 @own_arguments

@@ -183,7 +183,7 @@ WORDS = {
     **METHODS,
 }
 """Names of fields and kinds that are not words."""
-UNITLESS = {"thermal_expansion": "1/K"}
+UNITLESS = {"thermal_expansion": "1/K", "matched_expansion": "1/K", "temperature": "K"}
 """Units that fields do not carry."""
 ANALYSES = {
     "dynamics.inverse": "inverse dynamics: a given motion, and all forces that it needs",
