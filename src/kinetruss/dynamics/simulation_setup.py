@@ -13,7 +13,7 @@ from kinetruss.dynamics.joint_loads import jammed, with_bearings
 from kinetruss.dynamics.motors import motors_of, refuse_method, with_motors_fixed
 from kinetruss.dynamics.simulation_problem import Problem
 from kinetruss.dynamics.singular_starts import by_default, refuse_series, singular_note, singular_start
-from kinetruss.dynamics.starting import completed_velocities, given_positions, given_velocities, named_coordinates, start_notes
+from kinetruss.dynamics.starting import given_positions, given_velocities, start_notes
 from kinetruss.dynamics.user_forces import user_force_of
 from kinetruss.elements.kinds import switches
 from kinetruss.errors import InputError, ModelError, few, shown
@@ -28,6 +28,7 @@ from kinetruss.mechanics.coordinates import released
 from kinetruss.mechanics.mobility import mobility_at, moves_text
 from kinetruss.mechanics.solvers import LARGEST_DENSE
 from kinetruss.mechanics.undetermined import refuse_massless
+from kinetruss.mechanics.velocities import completed_velocities, named_coordinates
 from kinetruss.model import (
     DOP853,
     TRAJECTORY_TASKS,
