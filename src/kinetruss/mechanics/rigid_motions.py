@@ -87,7 +87,7 @@ def floats(system: System) -> System | None:
     for nodes in _candidates(system):
         flats = (3 * np.array(sorted(nodes))[:, None] + np.arange(system.dim)).reshape(-1)
         _, R, order = qr(ways[flats].T, mode="economic", pivoting=True)
-        if len(flats) < len(own) or abs(R[-1, -1]) < RANK_TOLERANCE * abs(R[0, 0]):
+        if len(flats) < len(own) or abs(R[len(own) - 1, len(own) - 1]) < RANK_TOLERANCE * abs(R[0, 0]):
             continue
         held = system.prescribed.copy()
         held[flats[order[: len(own)]]] = True
