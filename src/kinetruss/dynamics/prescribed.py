@@ -78,16 +78,16 @@ def bars_out_of_balance(system: System, rest: NDArray[np.float64], joint: NDArra
     return off if off > BALANCED * size + ROUND_OFF * stiff else 0.0
 
 
-def out_of_balance_as_a_whole(
-    system: System, loads: Any, rest: NDArray[np.float64], joint: NDArray[np.float64]
-) -> float:
+def out_of_balance_as_a_whole(system: System, loads: Any, rest: NDArray[np.float64], joint: NDArray[np.float64]) -> float:
     """Largest residual (times, 3 n), N, of a structure that nothing holds, whose motion is not one that its loads make; else 0.
 
     joint (times, members, 2, 3) : forces at the ends of members, N.
     """
     if not len(rest) or system.prescribed.reshape(-1, 3)[:, : system.dim].any():
         return 0.0
-    off, size = (max(float(np.abs(one).max(initial=0.0)) for one in some) for some in ((rest[:, system.free],), (joint, loads.force)))
+    off, size = (
+        max(float(np.abs(one).max(initial=0.0)) for one in some) for some in ((rest[:, system.free],), (joint, loads.force))
+    )
     return off if off > BALANCED * size else 0.0
 
 

@@ -161,7 +161,8 @@ class _Body:
         P = inertia_and_momenta(self.system, s, v)[1][0]
         rate = np.concatenate([np.cross(w, P[:3]), np.cross(w, P[3:]) + np.cross(u, P[:3])])
         (begin, all_begin), (moved, all_moved), (moving, all_moving) = (
-            self._pushed(t, *y, loads=False) for y in ((s, still, still), (_turned(R, s) + 0.3 * u, still, still), (s, v, np.cross(w, v)))
+            self._pushed(t, *y, loads=False)
+            for y in ((s, still, still), (_turned(R, s) + 0.3 * u, still, still), (s, v, np.cross(w, v)))
         )
         lever = np.array([1.0, 1.0, 1.0, size, size, size])
         off = (np.abs(moving - begin + rate) / lever)[0, self.own].max()
@@ -224,7 +225,9 @@ class _Body:
         second[:, k] = np.linalg.solve(G[:, k[:, None], k], own[:, k, None])[..., 0]
         a = a + _turned(R, second[:, None, :3] + np.cross(second[:, None, 3:], s))
         cosine = 0.5 * (np.trace(R, axis1=1, axis2=2) - 1.0)
-        sine = 0.5 * np.linalg.norm(np.stack([R[:, 2, 1] - R[:, 1, 2], R[:, 0, 2] - R[:, 2, 0], R[:, 1, 0] - R[:, 0, 1]]), axis=0)
+        sine = 0.5 * np.linalg.norm(
+            np.stack([R[:, 2, 1] - R[:, 1, 2], R[:, 0, 2] - R[:, 2, 0], R[:, 1, 0] - R[:, 0, 1]]), axis=0
+        )
         flat = (len(t), -1)
         return Adrift((x + self.centre).reshape(flat), v.reshape(flat), a.reshape(flat), np.arctan2(sine, cosine), error)
 
@@ -259,9 +262,7 @@ def _frames(body: _Body, shapes: Shapes, t: Array, grid: Array) -> tuple[_Frames
     )
 
 
-def _part(
-    body: _Body, t: Array, h: float, shape: tuple[Array, ...], start: _Frames, share: Array
-) -> tuple[_Frames, float]:
+def _part(body: _Body, t: Array, h: float, shape: tuple[Array, ...], start: _Frames, share: Array) -> tuple[_Frames, float]:
     """Frames at shares (m,) of one part of h seconds, from the frame at its start; the error, infinite if none is found.
 
     t (stages,) : Gauss points; shape : positions, inertia, momenta there. The unknowns are rotation vectors of R from the start.
