@@ -492,6 +492,6 @@ def unheld(off: float, at_rest: bool) -> str:
     why = "it cannot be at rest under these loads" if at_rest else "this is not the motion that these loads make"
     mend = "" if at_rest else " kinematics.follow moves it under all loads of the model, dynamics.simulate under a load case."
     return (
-        f"Not in balance: nothing holds the structure, and {why}; up to {off:.2g} N are left at its nodes, and member forces are "
-        f"without them.{mend}"
+        f"Not in balance: nothing holds the structure, and {why}; up to {off:.2g} N are left at its nodes, and member forces "
+        f"are without them.{mend}"
     )

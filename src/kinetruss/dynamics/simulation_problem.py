@@ -42,7 +42,8 @@ class Problem:
     x0, v0 (3 n,), z0 (extra,) : start. notes, start_attrs : what was changed to make it consistent. extra : name, unit
     and description of states other than positions and velocities. not_unique : members whose force is not unique. motors :
     those with an input. singular : data of a start near a singular position.
-    shapes : rigid links, which rows of `system` hold. tracker : feedback of drives. controls : control data of integrators, by the end of the run (s).
+    shapes : rigid links, which rows of `system` hold. tracker : feedback of drives.
+    controls : control data of integrators, by the end of the run (s).
     """
 
     system: System

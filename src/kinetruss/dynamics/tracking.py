@@ -54,8 +54,8 @@ class Tracker:
         others = [name for name in system.model.all_drives if name in run.tasks]
         if record.feedforward and others:
             raise InputError(
-                f"feedback takes the forces along the reference, in which all drives follow the trajectory, but {others[0]!r} has "
-                "a task. Write feedforward: false, or leave the drive to the feedback."
+                f"feedback takes the forces along the reference, in which all drives follow the trajectory, but {others[0]!r} "
+                "has a task. Write feedforward: false, or leave the drive to the feedback."
             )
         case = run.load_cases[0] if run.load_cases else None
         self._reference = self._forces_along(end, case) if record.feedforward else None
@@ -102,7 +102,7 @@ class Tracker:
     def _each(self, given: float | Mapping[str, float] | None, default: float) -> Array:
         """A number of each drive."""
         if given is None or isinstance(given, Mapping):
-            return np.array([(given or {})[name] if name in (given or {}) else default for name in self.names])
+            return np.array([(given or {}).get(name, default) for name in self.names])
         return np.full(len(self.names), float(given))
 
     def _limits(self, record: Tracking) -> Array:
@@ -130,7 +130,7 @@ class Tracker:
 
     def _gains_at(self, t: float) -> Array:
         if len(self._times) == 1:
-            return self._gains[0]
+            return np.asarray(self._gains[0])
         k = int(np.clip(np.searchsorted(self._times, t, side="right") - 1, 0, len(self._times) - 2))
         share = np.clip((t - self._times[k]) / (self._times[k + 1] - self._times[k]), 0.0, 1.0)
         return np.asarray((1 - share) * self._gains[k] + share * self._gains[k + 1])

@@ -175,7 +175,7 @@ class _Body:
         return bool(net > AGAINST_GROUND * (all_begin + all_moved))
 
     def _pushed(self, t: Array, x: Array, v: Array, a: Array, *, loads: bool = True) -> tuple[Array, float]:
-        """Sums (times, 6) of f - M a over the nodes at x (times, n, 3) from the first centre of mass; the largest of them, N."""
+        """Sums (times, 6) of f - M a over the nodes at x (times, n, 3) from the first centre of mass; the largest one, N."""
         system, count = self.system, len(x)
         place = x + self.centre
         acting = case_loads(system, t, None)
@@ -265,7 +265,7 @@ def _frames(body: _Body, shapes: Shapes, t: Array, grid: Array) -> tuple[_Frames
 def _part(body: _Body, t: Array, h: float, shape: tuple[Array, ...], start: _Frames, share: Array) -> tuple[_Frames, float]:
     """Frames at shares (m,) of one part of h seconds, from the frame at its start; the error, infinite if none is found.
 
-    t (stages,) : Gauss points; shape : positions, inertia, momenta there. The unknowns are rotation vectors of R from the start.
+    t (stages,) : Gauss points; shape : positions, inertia, momenta there. Unknown are the rotation vectors of R from the start.
     """
     s, G, b = shape
     y, at = np.zeros((STAGES, 12)), start
@@ -299,7 +299,7 @@ def _rotation(vector: Array) -> Array:
     """Rotation matrices (m, 3, 3) of rotation vectors (m, 3), rad."""
     angle = np.linalg.norm(vector, axis=1)[:, None, None]
     K, half = _skew(vector), np.sinc(angle / (2 * np.pi))
-    return np.eye(3) + np.sinc(angle / np.pi) * K + 0.5 * half**2 * K @ K
+    return np.asarray(np.eye(3) + np.sinc(angle / np.pi) * K + 0.5 * half**2 * K @ K)
 
 
 def _rate_of_vector(vector: Array, w: Array) -> Array:
@@ -311,7 +311,7 @@ def _rate_of_vector(vector: Array, w: Array) -> Array:
     exact = (1.0 - 0.5 * safe / np.tan(0.5 * safe)) / safe**2
     c = np.where(small, 1 / 12 + square / 720 + square**2 / 30240 + square**3 / 1209600, exact)
     turn = np.cross(vector, w)
-    return w + 0.5 * turn + c * np.cross(vector, turn)
+    return np.asarray(w + 0.5 * turn + c * np.cross(vector, turn))
 
 
 def _skew(v: Array) -> Array:

@@ -288,7 +288,7 @@ def _adrift(
 ) -> Swept:
     """The motion in space of a floating structure from that in a frame of its own, `found`, at the instants t (s,) s."""
 
-    def shapes(times: NDArray[np.float64]) -> tuple[NDArray[np.float64], ...]:
+    def shapes(times: NDArray[np.float64]) -> tuple[NDArray[np.float64], NDArray[np.float64], NDArray[np.float64]]:
         sampled, _ = _reachable(model, trajectory, np.concatenate([t[:1], times]))
         swept = sweep_path(held, path_of(held, sampled.times, sampled), start=start, least=least)
         if len(swept.x) <= len(times):

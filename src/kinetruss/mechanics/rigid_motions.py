@@ -57,7 +57,7 @@ def mass_times(system: System, x: Array, w: Array) -> Array:
         AA, AB, BB = (block[:, None] for block in varying_blocks(system, x))
         a, b = (w[:, :, ends, :, None] for ends in (A, B))
         for ends, push in ((A, AA @ a + AB @ b), (B, AB @ a + BB @ b)):
-            np.add.at(found, (slice(None), slice(None), ends), push[..., 0])
+            np.add.at(found.swapaxes(0, 2), ends, push[..., 0].swapaxes(0, 2))
     return found
 
 

@@ -131,9 +131,9 @@ def plan(model: Model, name: str | None, block: int | None = None) -> Plan:
         if floats(compile(model)) is not None:  # where it is depends on all that was before
             if cases != (None,):
                 raise InputError(
-                    f"Run {chosen!r} moves a structure that floats, and every load case moves it otherwise. Simulate it under each "
-                    f"by a run of its own: analysis: dynamics.simulate, t_end: {times[-1]:g} s, load_cases: [{cases[0]}], with the "
-                    "same trajectory."
+                    f"Run {chosen!r} moves a structure that floats, and every load case moves it otherwise. Simulate it under "
+                    f"each by a run of its own: analysis: dynamics.simulate, t_end: {times[-1]:g} s, load_cases: [{cases[0]}], "
+                    "with the same trajectory."
                 )
             given = followed((origin, model), condition, run.trajectory, times, raising=False)
     if run.analysis in FLEXIBLE:  # modes are followed, and a vibration goes on, from sample to sample
