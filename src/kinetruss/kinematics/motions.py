@@ -159,6 +159,7 @@ def follow(
     samples : equally spaced instants from 0 to the trajectory's duration, both included.
     times : the instants instead, s, increasing.
     start : (n_nodes, dim) a configuration at the first instant, m; by default reached from the model's own.
+        A structure that floats begins there, or in the model's own at 0 s, with the momentum of the model's `velocities`.
     least : the motion stops if the singularity measure falls below this value.
     raise_on_failure : False gives the good samples with a status instead of an exception.
 
@@ -179,7 +180,9 @@ def follow(
     -----
     Each sample takes one forward sweep over the blocks of the block triangular form: Newton's method for positions, then
     velocities and accelerations with the same factors. There are no differences in time, so the sample spacing does not
-    change the result. If anything turns far between two samples, instants in between are computed too, so that whole turns
+    change the result. A structure that nothing holds moves as a whole by its momentum, under gravity and all loads of the model
+    (see `docs/kinematics.md`): its velocities satisfy the momenta to round-off, and its attitude has the error that the message
+    gives, 1e-12 rad at most. If anything turns far between two samples, instants in between are computed too, so that whole turns
     and the branch do not depend on the samples; the motion keeps these states (``between_time``, ``between_position``,
     ``between_velocity``).
 
