@@ -6,6 +6,7 @@ import numpy as np
 import pytest
 
 import kinetruss as kt
+from kinetruss.report.run_summary import summary_record
 
 MASS = 2.0
 
@@ -140,6 +141,8 @@ def test_a_run_of_a_file_has_feedback_and_its_results(tmp_path):
     np.testing.assert_array_equal(error, direct.data["tracking_error"].values)
     assert np.abs(error).max() < 1e-6
     assert np.abs(result.simulation.data["feedback_force"].values).max() < 15
+    (row,) = summary_record(result)["simulation"]["feedback"]
+    assert row["drive"] == "jack" and row["force_unit"] == "N" and abs(row["error"]) == np.abs(error).max()
 
 
 @pytest.mark.parametrize(

@@ -182,8 +182,8 @@ def follow(
     velocities and accelerations with the same factors. There are no differences in time, so the sample spacing does not
     change the result. A structure that nothing holds moves as a whole by its momentum, under gravity and all loads of the model
     (see `docs/kinematics.md`): its velocities satisfy the momenta to round-off, and its attitude has the error that the message
-    gives, 1e-12 rad at most. If anything turns far between two samples, instants in between are computed too, so that whole turns
-    and the branch do not depend on the samples; the motion keeps these states (``between_time``, ``between_position``,
+    gives, about 1e-12 rad. If anything turns far between two samples, instants in between are computed too, so that whole
+    turns and the branch do not depend on the samples; the motion keeps these states (``between_time``, ``between_position``,
     ``between_velocity``).
 
     Examples
