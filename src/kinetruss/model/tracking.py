@@ -90,5 +90,5 @@ def tracking_rules(model: ModelData, run: Any, path: tuple[Any, ...]) -> Iterato
     for field in ("stiffness", "damping", "error_cost", "rate_cost", "force_cost", "limits"):
         table = getattr(run.feedback, field)
         for name in table if isinstance(table, dict) else ():
-            if name not in names:
+            if name in model.all_drives and name not in names:
                 yield Fault((*path, "feedback", field), f"names {name!r}, which is not fed back.", "Name a drive that is.")
