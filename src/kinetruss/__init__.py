@@ -152,6 +152,7 @@ if TYPE_CHECKING:
         TableInput as TableInput,
         Taylor as Taylor,
         TitleBlock as TitleBlock,
+        Tracking as Tracking,
         Trapezoid as Trapezoid,
         Tube as Tube,
         Way as Way,

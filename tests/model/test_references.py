@@ -95,6 +95,14 @@ PLANE = STOCK | {
             "analysis": "dynamics.simulate", "t_end": 1, "tasks": {"motor": {"kind": "free"}},
             "events": {"long": {"length": "jack", "value": 2}, "strong": {"force": "crank", "value": 2}},
         },
+        "given": {
+            "analysis": "dynamics.simulate", "t_end": 1, "trajectory": "quintic",
+            "feedback": {"drives": ["jack"], "stiffness": {"jack": 1}, "damping": {"jack": 1}, "limits": {"jack": 1}},
+        },
+        "cheap": {
+            "analysis": "dynamics.simulate", "t_end": 1, "trajectory": "quintic",
+            "feedback": {"drives": ["jack"], **{f"{what}_cost": {"jack": 1} for what in ("error", "rate", "force")}},
+        },
         "stand": {"analysis": "statics.at_poses", "poses": {"up": {"motor": 0.1}}},
         "all": {"analysis": "mission", "motions": ["turn2", "sine"], "conditions": ["cold"]},
         "turn2": {"trajectory": "rate"},

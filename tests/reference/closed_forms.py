@@ -154,6 +154,20 @@ def laws() -> Numbers:
     }
 
 
+def afloat() -> Numbers:
+    """Turns without angular momentum, as integrals over the shapes; a mass that a spring and a damper pull along."""
+    reduced = 3.0 * 2.0 / 5.0
+    near, far, both = 0.2 + reduced * 0.4**2, 0.5 + reduced * 0.6**2, reduced * 0.4 * 0.6
+    q = np.linspace(0, 2 * math.pi, 201)[:-1]  # the trapezoidal rule of a periodic function
+    share = (far - both * np.cos(q)) / (near + far - 2 * both * np.cos(q))
+    out, back = (3.0 * r**2 / (0.9 + 3.0 * r**2) for r in (1.4, 0.5))
+    found = {"forward.afloat.hinge": -2 * math.pi * float(share.mean()), "forward.afloat.cycle": 1.2 * (back - out)}
+    s = cmath.sqrt((4.0 / 4.0) ** 2 - 50.0 / 2.0)
+    for t in (0.5, 1.0, 2.0):
+        found[f"forward.tracked.error_at_{t:g}s"] = (-0.2 * math.exp(-t) * cmath.sinh(s * t) / s).real
+    return found | {"forward.tracked.limited": 1 + 0.5 * 0.3 / 2.0}
+
+
 def rows() -> Numbers:
     """A nut on a thread, geared arms, masses on a rod that turns steadily."""
     pitch, t = 0.02, 3.0
@@ -432,6 +446,7 @@ ALL: tuple[Callable[[], Numbers], ...] = (
     continua,
     pendulum,
     laws,
+    afloat,
     rows,
     loops,
     tilts,

@@ -152,13 +152,13 @@ class _Reader:
         return self._values(x, v) - self.q0
 
     def _values(self, x: NDArray[np.float64], v: NDArray[np.float64]) -> NDArray[np.float64]:
-        found = [_value(self.system, one, x) for one in self.dofs]
+        found = [value_of(self.system, one, x) for one in self.dofs]
         for k, one in enumerate(self.dofs):
             if one.kind in ("angle", "sum"):
                 # on the turn nearest to that of the state
-                start = _value(self.system, one, self.x0)
+                start = value_of(self.system, one, self.x0)
                 found[k] = start + np.remainder(found[k] - start + np.pi, 2 * np.pi) - np.pi
-        return np.array(found + [_rate(self.system, one, x, v) for one in self.dofs])
+        return np.array(found + [rate_of(self.system, one, x, v) for one in self.dofs])
 
 
 class _Pusher:
@@ -171,7 +171,7 @@ class _Pusher:
         out = np.zeros_like(x)
         for value, one in zip(u, self.acting, strict=True):
             for part, factor in one.parts:
-                _push(self.system, part, x, factor * float(value), out)
+                push(self.system, part, x, factor * float(value), out)
         return out
 
 
@@ -180,7 +180,8 @@ def _full(y: NDArray[np.float64]) -> NDArray[np.float64]:
     return np.hstack([y, np.zeros((len(y), 3 - y.shape[1]))])
 
 
-def _value(system: System, one: Coordinate, x: NDArray[np.float64]) -> float:
+def value_of(system: System, one: Coordinate, x: NDArray[np.float64]) -> float:
+    """The value of a coordinate, m or rad, at x (n, dim)."""
     if one.kind == "node":
         return float(x[one.index // 3, one.index % 3])
     if one.kind == "sum":
@@ -189,7 +190,8 @@ def _value(system: System, one: Coordinate, x: NDArray[np.float64]) -> float:
     return float(np.sqrt(d @ d)) if one.kind == "length" else float(np.arctan2(d[1], d[0]))
 
 
-def _rate(system: System, one: Coordinate, x: NDArray[np.float64], v: NDArray[np.float64]) -> float:
+def rate_of(system: System, one: Coordinate, x: NDArray[np.float64], v: NDArray[np.float64]) -> float:
+    """Its rate, m/s or rad/s, at x and v (n, dim)."""
     if one.kind == "node":
         return float(v[one.index // 3, one.index % 3])
     if one.kind == "sum":
@@ -200,7 +202,7 @@ def _rate(system: System, one: Coordinate, x: NDArray[np.float64], v: NDArray[np
     return float((d[0] * dv[1] - d[1] * dv[0]) / (d @ d))
 
 
-def _push(system: System, one: Coordinate, x: NDArray[np.float64], value: float, out: NDArray[np.float64]) -> None:
+def push(system: System, one: Coordinate, x: NDArray[np.float64], value: float, out: NDArray[np.float64]) -> None:
     """Add the nodal forces of a force (N) or torque (N m) on a coordinate."""
     if one.kind == "node":
         out[one.index // 3, one.index % 3] += value

@@ -78,6 +78,19 @@ def bars_out_of_balance(system: System, rest: NDArray[np.float64], joint: NDArra
     return off if off > BALANCED * size + ROUND_OFF * stiff else 0.0
 
 
+def out_of_balance_as_a_whole(system: System, loads: Any, rest: NDArray[np.float64], joint: NDArray[np.float64]) -> float:
+    """Largest residual (times, 3 n), N, of a structure that nothing holds, whose motion is not one that its loads make; else 0.
+
+    joint (times, members, 2, 3) : forces at the ends of members, N.
+    """
+    if not len(rest) or system.prescribed.reshape(-1, 3)[:, : system.dim].any():
+        return 0.0
+    off, size = (
+        max(float(np.abs(one).max(initial=0.0)) for one in some) for some in ((rest[:, system.free],), (joint, loads.force))
+    )
+    return off if off > BALANCED * size else 0.0
+
+
 # Forces with friction that follows from the joint forces: solved again with it until both agree.
 
 CLOSE = 1e-12
@@ -254,6 +267,7 @@ def _solve(system: System, values: NDArray[np.float64], loads: Any, states: Stat
         solved["not_unique"], solved["singular"] = free_forces(system, loads, values, states, N, ends)
         solved["off"] = out_of_balance(system, loads, x, rest)
         solved["loose"] = 0.0 if solved["off"] else bars_out_of_balance(system, rest, joint)
+        solved["adrift"] = 0.0 if solved["off"] or solved["loose"] else out_of_balance_as_a_whole(system, loads, rest, joint)
         return solved
     pivot, whole, acting = np.ones(count), structure_of(system), nodal_loads(loads)
     for part, used in _pieces(system, arrangement, x, values):
@@ -408,6 +422,9 @@ def _record(
         message = f"{message} {unbalanced(off, at_rest)}".strip()
     if off := solved.get("loose", 0.0):
         message = f"{message} {unbalanced(off, at_rest, 'elastic bars')}".strip()
+    if off := solved.get("adrift", 0.0):
+        data.attrs["not_balanced"] = off
+        message = f"{message} {unheld(off, at_rest)}".strip()
     if undecided := solved.get("undecided", ()):
         data.attrs["undecided"] = list(undecided)
         message = (
@@ -467,4 +484,14 @@ def unbalanced(off: float, at_rest: bool, parts: str = "beams, membranes or soli
     return (
         f"Not in balance: {parts} in these positions leave up to {off:.2g} N at free nodes; {why}. "
         "Reactions and member forces are without these."
+    )
+
+
+def unheld(off: float, at_rest: bool) -> str:
+    """The message on a floating structure in a motion that the loads do not make, or at rest under loads that move it."""
+    why = "it cannot be at rest under these loads" if at_rest else "this is not the motion that these loads make"
+    mend = "" if at_rest else " kinematics.follow moves it under all loads of the model, dynamics.simulate under a load case."
+    return (
+        f"Not in balance: nothing holds the structure, and {why}; up to {off:.2g} N are left at its nodes, and member forces "
+        f"are without them.{mend}"
     )

@@ -16,7 +16,7 @@ from kinetruss.errors import AnalysisError, InputError, Interrupted
 from kinetruss.kinematics.motions import instants
 from kinetruss.kinematics.turns import refined
 from kinetruss.mechanics.elements import refuse_turns
-from kinetruss.model import Model
+from kinetruss.model import Model, Tracking
 from kinetruss.results import Simulation, Status
 from kinetruss.threads import one_thread
 
@@ -39,6 +39,7 @@ def simulate(
     positions: ArrayLike | None = None,
     user_force: Any = None,
     events: Mapping[str, Any] | None = None,
+    feedback: Tracking | None = None,
     progress: Callable[[int, int], None] | None = None,
     raise_on_failure: bool = True,
 ) -> Simulation:
@@ -59,6 +60,7 @@ def simulate(
     user_force : f(t, x, v) -> node -> force (N), or (n_nodes, dim), with x, v (n_nodes, dim) in m, m/s; or a compiled function
         f(t, x, v, out) over flat vectors (3 n_nodes,) that adds to out.
     events : name -> `Event`.
+    feedback : a `Tracking`: drives without a task follow `trajectory` by forces, with gains and limits, instead of exactly.
     progress : called with (samples done, samples asked for) a few times a second.
     raise_on_failure : False returns the good samples with a status instead of an exception.
 
@@ -100,6 +102,7 @@ def simulate(
         positions=positions,
         user_force=user_force,
         events=events,
+        feedback=feedback,
     )
     work = stepper_for(problem_of(model, last, options), last)
     callback = None if progress is None else lambda done: progress(done, len(t))

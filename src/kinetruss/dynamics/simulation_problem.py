@@ -29,6 +29,7 @@ if TYPE_CHECKING:
 
     from kinetruss.dynamics.motors import Motors
     from kinetruss.dynamics.starting import Singular
+    from kinetruss.dynamics.tracking import Tracker
     from kinetruss.kernels.integrate.state import Control
     from kinetruss.kernels.structure.equations import Equations, Workspace
     from kinetruss.mechanics.beam_shapes import FixedShapes
@@ -41,7 +42,8 @@ class Problem:
     x0, v0 (3 n,), z0 (extra,) : start. notes, start_attrs : what was changed to make it consistent. extra : name, unit
     and description of states other than positions and velocities. not_unique : members whose force is not unique. motors :
     those with an input. singular : data of a start near a singular position.
-    shapes : rigid links, which rows of `system` hold. controls : control data of integrators, by the end of the run (s).
+    shapes : rigid links, which rows of `system` hold. tracker : feedback of drives.
+    controls : control data of integrators, by the end of the run (s).
     """
 
     system: System
@@ -62,6 +64,7 @@ class Problem:
     motors: Motors | None = None
     singular: Singular | None = None
     shapes: FixedShapes | None = None
+    tracker: Tracker | None = None
     controls: dict[float, Control] = field(default_factory=dict)
 
     def fresh(self) -> Problem:
@@ -96,8 +99,10 @@ class Problem:
 # Forces of all rows of a system: those of the equations, and those of released drives.
 
 
-def all_rows(problem: Problem, t: NDArray[np.float64], x: NDArray[np.float64], N: NDArray[np.float64]) -> NDArray[np.float64]:
-    """N (s, rows of the system) from N of the rows of the equations (s, rows), at times t (s,) and positions x (s, 3 n).
+def all_rows(
+    problem: Problem, t: NDArray[np.float64], x: NDArray[np.float64], v: NDArray[np.float64], N: NDArray[np.float64]
+) -> NDArray[np.float64]:
+    """N (s, rows of the system) from N of the rows of the equations (s, rows), at times t (s,), x and v (s, 3 n).
 
     The row of a drive with a given force F has N = -F; of one with a given torque minus the torque over the length.
     """
@@ -106,10 +111,12 @@ def all_rows(problem: Problem, t: NDArray[np.float64], x: NDArray[np.float64], N
     found[:, row] = N
     given = system.row_drive >= 0
     given[row] = False
+    fed = {} if problem.tracker is None else dict(zip(problem.tracker.names, problem.tracker.along(t, x, v)[0].T, strict=True))
     for r in np.flatnonzero(given):
-        task = problem.tasks[system.drives[system.row_drive[r]]]
-        if isinstance(task, GivenForce):
-            found[:, r] = -_amount(task, t)
+        name = system.drives[system.row_drive[r]]
+        task = problem.tasks[name]
+        if isinstance(task, GivenForce) or name in fed:
+            found[:, r] = -(fed[name] if name in fed else _amount(task, t))
             if (m := system.row_measure[r]) >= 0:
                 found[:, r] /= system.measure_scale[m]
             if system.row_kind[r] == ANGLE:

@@ -25,6 +25,7 @@ from kinetruss.mechanics.loads import Loads, case_loads
 from kinetruss.mechanics.positions import drive_places, drive_values
 from kinetruss.results import Arrays, Axes, Forces, Motion, Simulation, provenance, variable
 from kinetruss.results.dynamic_records import happened
+from kinetruss.results.wide_tables import drive_unit, force_units
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray
@@ -73,6 +74,10 @@ def simulation_of(work: Integration, trace: Trace) -> Simulation:
     if problem.motors is not None:
         axes |= motor_names(problem.motors)
         data |= motor_histories(problem.motors, trace.extra)
+    if problem.tracker is not None:
+        unit, force = drive_unit(system)[1], force_units(system)[1]
+        axes |= {"drive": list(system.drives), **unit, **{k: v for k, v in force.items() if k == "drive_force_unit"}}
+        data |= problem.tracker.histories(trace.t, trace.x, trace.v)
     options = {"t_end": work.t_end, "method": method.model_dump(), "load_case": forces.load_case}
     return Simulation(
         data=Arrays(Axes(axes), trace.t, data, attrs).later,

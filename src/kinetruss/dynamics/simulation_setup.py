@@ -13,7 +13,8 @@ from kinetruss.dynamics.joint_loads import jammed, with_bearings
 from kinetruss.dynamics.motors import motors_of, refuse_method, with_motors_fixed
 from kinetruss.dynamics.simulation_problem import Problem
 from kinetruss.dynamics.singular_starts import by_default, refuse_series, singular_note, singular_start
-from kinetruss.dynamics.starting import completed_velocities, given_positions, given_velocities, named_coordinates, start_notes
+from kinetruss.dynamics.starting import given_positions, given_velocities, start_notes
+from kinetruss.dynamics.tracking import tracker_of
 from kinetruss.dynamics.user_forces import user_force_of
 from kinetruss.elements.kinds import switches
 from kinetruss.errors import InputError, ModelError, few, shown
@@ -28,6 +29,7 @@ from kinetruss.mechanics.coordinates import released
 from kinetruss.mechanics.mobility import mobility_at, moves_text
 from kinetruss.mechanics.solvers import LARGEST_DENSE
 from kinetruss.mechanics.undetermined import refuse_massless
+from kinetruss.mechanics.velocities import completed_velocities, named_coordinates
 from kinetruss.model import (
     DOP853,
     TRAJECTORY_TASKS,
@@ -37,12 +39,15 @@ from kinetruss.model import (
     Model,
     Run,
     Taylor,
+    Tracking,
     event_faults,
     nearest,
     task_faults,
     trajectory_faults,
 )
 from kinetruss.model.beam_checks import spin_note
+from kinetruss.model.references import unknown_names
+from kinetruss.model.tracking import tracking_rules
 from kinetruss.units import parse
 
 if TYPE_CHECKING:
@@ -69,6 +74,7 @@ class Options:
     positions: ArrayLike | None = None
     user_force: Any = None
     events: Mapping[str, Any] | None = None
+    feedback: Tracking | None = None
 
     def __post_init__(self) -> None:
         for name in ("tasks", "events"):
@@ -80,7 +86,7 @@ class Options:
         """True if the options are records only, which never change, and no motor has an input: then the set-up can be
         reused.
         """
-        own = (self.velocities, self.positions, self.user_force)
+        own = (self.velocities, self.positions, self.user_force, self.feedback)
         plain = isinstance(self.events, dict | None) and isinstance(self.load_case, str | None)
         has_input = not isinstance(self.tasks, dict | None) or any(
             not isinstance(one, NO_INPUT) for one in (self.tasks or {}).values()
@@ -118,7 +124,8 @@ def _kept(system: System, t_end: float, options: Options) -> Problem:
 
 def _set_up(model: Model, t_end: float, options: Options) -> Problem:
     """`problem_of` without reuse of an earlier set-up."""
-    run = _checked(model, t_end, options)
+    given = _checked(model, t_end, options)
+    run = _with_released(model, given)
     chosen, method = run.method is None, DOP853() if run.method is None else run.method
     shapes, load_case = rigid_links(compile(model)), options.load_case
     system = compile(model) if shapes is None else shapes.system
@@ -135,7 +142,8 @@ def _set_up(model: Model, t_end: float, options: Options) -> Problem:
     if completed is not None:
         before, v = (before[0], completed.copy()), completed
         _project(system, eq, ws, x, v)
-    user = user_force_of(system, options.user_force, x, v, load_case)
+    tracker = tracker_of(model, system, given, options.user_force)
+    user = user_force_of(system, tracker or options.user_force, x, v, load_case)
     _refuse_jammed(system, eq, ws, user, x, v)
     # held constraints would stop the motors
     free = before[1].copy()
@@ -167,6 +175,7 @@ def _set_up(model: Model, t_end: float, options: Options) -> Problem:
         start_attrs=attrs,
         not_unique=unsure,
         motors=motors,
+        tracker=tracker,
     )
     if chosen:
         found = replace(found, method=by_default(found))
@@ -203,15 +212,25 @@ def _checked(model: Model, t_end: float, options: Options) -> Run:
         method=options.method,
         load_cases=None if options.load_case is None else (options.load_case,),
         events=dict(options.events or {}),
+        feedback=options.feedback,
     )
     if isinstance(run.trajectory, str) and run.trajectory not in model.trajectories:
         raise InputError(f"No trajectory called {run.trajectory!r}. {nearest(run.trajectory, model.trajectories)}")
     moving = model.trajectory_of(run)
     found = [*task_faults(model, run.tasks), *event_faults(model, run.events)]
+    if run.feedback is not None:
+        found += [*unknown_names(model.whole, run.feedback, ("feedback",)), *tracking_rules(model.whole, run, ())]
     found += [] if moving is None else trajectory_faults(model, moving)
     if found:
         raise ModelError(found)
     return run
+
+
+def _with_released(model: Model, run: Run) -> Run:
+    """The run, with the drives that are fed back released."""
+    if run.feedback is None:
+        return run
+    return run.with_(tasks={**run.tasks, **dict.fromkeys(run.feedback.chosen(model.all_drives, run.tasks), Free())})
 
 
 def seconds(t_end: Any) -> float:

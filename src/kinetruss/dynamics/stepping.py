@@ -118,7 +118,7 @@ class Stepper(Integration, ABC):
     def _trace(self, samples: Samples, done: int) -> Trace:
         done = self._finite(samples, done)
         t, x, v, a, N, extra, diagnostics = (values[:done] for values in samples)
-        N = N if self._all_rows else all_rows(self.problem, t, x, N)
+        N = N if self._all_rows else all_rows(self.problem, t, x, v, N)
         return Trace(t=t, x=x, v=v, a=a, N=N, extra=extra, diagnostics=diagnostics)
 
     def _finite(self, samples: Samples, done: int) -> int:

@@ -41,12 +41,13 @@ class UserForce:
     @property
     def words(self) -> str:
         """What it is, for messages."""
-        return "the base rotates" if isinstance(self._function, ForceInBase) else "a user force is given"
+        return getattr(self._function, "words", "a user force is given")
 
     @property
     def own(self) -> UserForce:
-        """The force without the fictitious forces of a base that rotates."""
-        return self._function.own if isinstance(self._function, ForceInBase) else self
+        """The force without what is added to it: fictitious forces of a base that rotates, feedback."""
+        added = getattr(self._function, "own", None)
+        return added.own if isinstance(added, UserForce) else self
 
     def again(self) -> UserForce:
         """A new one without a function of the user."""
@@ -102,6 +103,8 @@ class UserForce:
 
 class ForceInBase:
     """The fictitious forces (n, dim) of a base that rotates at t, x, v, and a force of the user with them."""
+
+    words = "the base rotates"
 
     def __init__(self, system: System, loads: Loads, function: Callable[..., Any] | None) -> None:
         self.own = UserForce(system, function)

@@ -9,6 +9,7 @@ from kinetruss.errors import Fault, ModelError
 from kinetruss.io import MAX_SIZE, check as data_faults, placed, read
 from kinetruss.mechanics import compile
 from kinetruss.mechanics.mobility import afloat, beam_deformations, mobility_at
+from kinetruss.mechanics.rigid_motions import floats
 from kinetruss.model import Model, in_python, loads_along_beams, plausibility
 from kinetruss.model.beam_frames import owner_of
 from kinetruss.threads import one_thread
@@ -87,9 +88,10 @@ def _freedoms(model: Model) -> list[Fault]:
     if not driven:
         return []
     system = compile(model)
+    system = floats(system) or system
     if not (found := mobility_at(system, system.x0, beam_deformations)).undriven:
         return []
-    if (free := afloat(model)) is not None:
+    if (free := afloat(model)) is not None and not system.prescribed.reshape(-1, 3)[:, : system.dim].any():
         return [replace(free, path=("runs", driven[0]))]
     count = "one freedom that no drive holds" if found.undriven == 1 else f"{found.undriven} freedoms that no drive holds"
     moves = "; ".join(found.mechanism_texts(3))

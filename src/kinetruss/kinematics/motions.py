@@ -13,6 +13,7 @@ from kinetruss.errors import AnalysisError, InputError, few
 from kinetruss.kernels.compiled.workspace import allocate
 from kinetruss.kernels.structure.lengths import lengths
 from kinetruss.kernels.sweep import follow as kernel
+from kinetruss.kinematics.floating import adrift, edges_of
 from kinetruss.kinematics.jacobians import singularity_at
 from kinetruss.kinematics.positions import out_of_reach, own_start
 from kinetruss.kinematics.redundant import LEAST, PARTED, Path, sweep, sweep_redundant
@@ -25,6 +26,7 @@ from kinetruss.mechanics.arguments import number_of, positions_of
 from kinetruss.mechanics.bays import POSE, departs, pose_values
 from kinetruss.mechanics.beam_shapes import fixed_shapes, shaped
 from kinetruss.mechanics.mobility import mobility_at, underdriven
+from kinetruss.mechanics.rigid_motions import floats
 from kinetruss.mechanics.rotations import rotation_axes, rotations
 from kinetruss.model import Model, turned_far
 from kinetruss.model.beam_checks import spin_note
@@ -157,6 +159,7 @@ def follow(
     samples : equally spaced instants from 0 to the trajectory's duration, both included.
     times : the instants instead, s, increasing.
     start : (n_nodes, dim) a configuration at the first instant, m; by default reached from the model's own.
+        A structure that floats begins there, or in the model's own at 0 s, with the momentum of the model's `velocities`.
     least : the motion stops if the singularity measure falls below this value.
     raise_on_failure : False gives the good samples with a status instead of an exception.
 
@@ -177,8 +180,10 @@ def follow(
     -----
     Each sample takes one forward sweep over the blocks of the block triangular form: Newton's method for positions, then
     velocities and accelerations with the same factors. There are no differences in time, so the sample spacing does not
-    change the result. If anything turns far between two samples, instants in between are computed too, so that whole turns
-    and the branch do not depend on the samples; the motion keeps these states (``between_time``, ``between_position``,
+    change the result. A structure that nothing holds moves as a whole by its momentum, under gravity and all loads of the model
+    (see `docs/kinematics.md`): its velocities satisfy the momenta to round-off, and its attitude has the error that the message
+    gives, about 1e-12 rad. If anything turns far between two samples, instants in between are computed too, so that whole
+    turns and the branch do not depend on the samples; the motion keeps these states (``between_time``, ``between_position``,
     ``between_velocity``).
 
     Examples
@@ -264,16 +269,39 @@ def course_along(
     """The histories at the instants t (s,) s, with more instants between those far apart; how the motion ended; the prescribed
     values; and the error at the first pose out of reach.
     """
-    dense = between(trajectory, t)
+    held = floats(system)
+    # what floats moves as a whole from the beginning on
+    late = held is not None and start is None and len(t) and t[0] > 0
+    dense = between(trajectory, np.concatenate([[0.0], t]) if late else t)
     for _ in range(REFINED):
         sampled, beyond = _reachable(model, trajectory, dense)
-        path = path_of(system, sampled.times, sampled)
-        found = sweep_path(system, path, start=start, least=least)
+        path = path_of(held or system, sampled.times, sampled)
+        found = sweep_path(held or system, path, start=start, least=least)
+        if held is not None:
+            found = _adrift(model, held, trajectory, dense, found, start, least)
         finer = halved(system, found.x, found.v, dense, sampled)
         if len(finer) == len(dense):
             break
         dense = finer
     return course_at(dense, t, found, path.drive), found, sampled, beyond
+
+
+def _adrift(
+    model: Model, held: System, trajectory: Any, t: NDArray[np.float64], found: Swept, start: ArrayLike | None, least: float
+) -> Swept:
+    """The motion in space of a floating structure from that in a frame of its own, `found`, at the instants t (s,) s."""
+
+    def shapes(times: NDArray[np.float64]) -> tuple[NDArray[np.float64], NDArray[np.float64], NDArray[np.float64]]:
+        sampled, _ = _reachable(model, trajectory, np.concatenate([t[:1], times]))
+        swept = sweep_path(held, path_of(held, sampled.times, sampled), start=start, least=least)
+        if len(swept.x) <= len(times):
+            raise AnalysisError(f"Between the samples: {swept.message}")
+        return swept.x[1:], swept.v[1:], swept.a[1:]
+
+    if not (count := len(found.x)):
+        return found
+    moved = adrift(compile(model), shapes, t[:count], (found.x, found.v, found.a), edges_of(trajectory))
+    return replace(found, x=moved.x, v=moved.v, a=moved.a, message=f"{found.message} {moved.words}".strip())
 
 
 def course_at(

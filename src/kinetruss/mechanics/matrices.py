@@ -65,19 +65,29 @@ def mass_matrix(system: System, x: NDArray[np.float64]) -> Any:
     if not len(found["varying"]):
         return constant_mass(system)
     A, B = found["varying_A"] // 3, found["varying_B"] // 3
-    d = x[B] - x[A]
-    L = np.linalg.norm(d, axis=1)[:, None, None]
-    u = d[:, :, None] / L
+    AA, AB, BB = varying_blocks(system, x)
+    own = np.concatenate([3 * A[:, None] + np.arange(3), 3 * B[:, None] + np.arange(3)], axis=1)
+    where = np.repeat(own, 6, axis=1).reshape(-1), np.tile(own, (1, 6)).reshape(-1)
+    return constant_mass(system) + csr_array((_blocks(AA, AB, AB, BB).reshape(-1), where), shape=(system.x0.size,) * 2)
+
+
+def varying_blocks(system: System, x: NDArray[np.float64]) -> tuple[NDArray[np.float64], ...]:
+    """Blocks AA, AB = BA, BB (..., k, 3, 3), kg, of the members whose mass matrix depends on their direction, at positions x
+    (..., n, 3).
+    """
+    found = elements(system)
+    A, B = found["varying_A"] // 3, found["varying_B"] // 3
+    d = x[..., B, :] - x[..., A, :]
+    L = np.linalg.norm(d, axis=-1)[..., None, None]
+    u = d[..., None] / L
     m_A, m_B, h_A, h_B, second, axial = (column[:, None, None] for column in found["varying"].T)
     # s 1 + r u u^T of each block, written with the projector P across the member
-    outer, turn = u * u.swapaxes(1, 2), second / L**2
+    outer, turn = u * u.swapaxes(-1, -2), second / L**2
     P, along = np.eye(3) - outer, axial * outer
     AA = m_A * np.eye(3) + (turn - 2 * h_A / L) * P + along
     AB = ((h_A + h_B) / L - turn) * P - along
     BB = m_B * np.eye(3) + (turn - 2 * h_B / L) * P + along
-    own = np.concatenate([3 * A[:, None] + np.arange(3), 3 * B[:, None] + np.arange(3)], axis=1)
-    where = np.repeat(own, 6, axis=1).reshape(-1), np.tile(own, (1, 6)).reshape(-1)
-    return constant_mass(system) + csr_array((_blocks(AA, AB, AB, BB).reshape(-1), where), shape=(system.x0.size,) * 2)
+    return AA, AB, BB
 
 
 @cached()

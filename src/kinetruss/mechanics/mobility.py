@@ -450,8 +450,9 @@ def underdriven(system: System) -> InputError:
             f"{moves_text(system, way.reshape(-1, 3)[:, : system.dim])}. "
             f"{_beside(system)}"
         )
-    if (free := afloat(system.given)) is not None:
-        return InputError(f"{free.message.capitalize()} {free.mend}")
+    if not system.prescribed.reshape(-1, 3)[:, : system.dim].any() and (free := afloat(system.given)) is not None:
+        float_on = "A structure that floats can be moved by its momentum in kinematics.follow and dynamics.simulate."
+        return InputError(f"{free.message.capitalize()} {free.mend} {float_on}")
     moves = "; ".join(found.mechanism_texts(4))
     return InputError(
         f"The drives leave {found.undriven} freedom{'s' if found.undriven != 1 else ''} of the mechanism: {moves}. "

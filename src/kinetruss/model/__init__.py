@@ -162,6 +162,7 @@ if TYPE_CHECKING:
         target_faults as target_faults,
     )
     from kinetruss.model.the_model import Model as Model
+    from kinetruss.model.tracking import Tracking as Tracking
     from kinetruss.model.trajectories import (
         ConstantRate as ConstantRate,
         Cyclic as Cyclic,

@@ -16,6 +16,7 @@ from kinetruss.model.references import unknown_names
 from kinetruss.model.runs import Run
 from kinetruss.model.simulation import MOTOR_TASKS, TRAJECTORY_TASKS, GivenForce
 from kinetruss.model.targets import target_rules
+from kinetruss.model.tracking import tracking_rules
 from kinetruss.model.trajectories import moved_by
 from kinetruss.model.words import nearest
 
@@ -171,6 +172,7 @@ def run_faults(model: ModelData) -> Iterator[Fault]:
             yield from target_rules(model, run.targets, ("runs", name, "targets"))
         yield from task_rules(model, run.tasks, ("runs", name, "tasks"))
         yield from event_rules(model, run.events, ("runs", name, "events"))
+        yield from tracking_rules(model, run, ("runs", name))
         yield from _mission_faults(model, name, run)
         yield from _case_faults(model, name, run)
         for pose, values in run.poses.items():

@@ -30,6 +30,7 @@ from kinetruss.model.references import ConditionName, DriveName, LoadCaseNames, 
 from kinetruss.model.simulation import Event, Method, Task
 from kinetruss.model.table import ReadOnly, Table
 from kinetruss.model.targets import Combined, Target
+from kinetruss.model.tracking import Tracking
 from kinetruss.model.trajectories import TrajectoryOrName
 
 
@@ -136,7 +137,7 @@ _MOTION = ("trajectory", "motion", "targets", "samples")
 _USED = {
     "dynamics.inverse": _MOTION,
     "kinematics.follow": _MOTION,
-    "dynamics.simulate": ("trajectory", "samples", "t_end", "tasks", "method", "events"),
+    "dynamics.simulate": ("trajectory", "samples", "t_end", "tasks", "feedback", "method", "events"),
     "statics.linear": (),
     "statics.equilibrium": ("tasks",),
     "statics.at_poses": (*_MOTION, "poses"),
@@ -153,6 +154,7 @@ _OWN = (
     "samples",
     "t_end",
     "tasks",
+    "feedback",
     "method",
     "events",
     "poses",
@@ -214,8 +216,9 @@ class Run(Record):
     condition : name of one of the model's `conditions`, under which the run is done; None: the model as it is.
 
     Of a simulation: t_end : s, the start is 0. tasks : what drives do (`Free`, `Hold`, `GivenForce`, an input of the motor, a
-    trajectory of that drive alone); a drive without a task follows the trajectory if that moves it, else it is held. method :
-    the integration method; by default `Taylor` if the motion has a power series, else `DOP853`. events : events to detect.
+    trajectory of that drive alone); a drive without a task follows the trajectory if that moves it, else it is held. feedback :
+    drives without a task follow the trajectory by forces, with gains and limits (`Tracking`), instead of exactly. method : the
+    integration method; by default `Taylor` if the motion has a power series, else `DOP853`. events : events to detect.
     An equilibrium has tasks too (`Free`, `Hold`, `GivenForce`).
 
     Of ``statics.at_poses``: poses : name of a pose -> drive or pose coordinate -> value, m or rad (what is not named stands as
@@ -236,6 +239,7 @@ class Run(Record):
     condition: ConditionName | None = None
     t_end: Span | None = None
     tasks: Table[DriveName, Task] = ReadOnly()
+    feedback: Tracking | None = None
     method: Method | None = None
     events: Table[Name, Event] = ReadOnly()
     poses: Table[Name, Table[CoordinateName, Coordinate]] = ReadOnly()

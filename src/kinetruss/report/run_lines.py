@@ -11,6 +11,7 @@ from kinetruss.display import moment, number, quantity
 from kinetruss.display.ranks import place_of_largest
 from kinetruss.model.runs import FLEXIBLE
 from kinetruss.report.run_data import peak
+from kinetruss.results.wide_tables import units_of
 from kinetruss.runs.doubts import poses_of
 
 if TYPE_CHECKING:
@@ -30,6 +31,7 @@ def simulation_record(run: RunResult) -> dict[str, Any] | None:
         **{name: int(data[name].values[-1]) for name in ("steps", "rejected", "evaluations")},
         "energy": _energy(found),
         "motors": _motors(found),
+        **({"feedback": fed} if (fed := _feedback(found)) else {}),
         "events": [{"name": one.name, "time": one.time, "direction": one.direction} for one in found.events],
         "passages": [{"time": one.time, "pivot": one.pivot, "certain": one.certain} for one in found.passages],
     }
@@ -58,6 +60,24 @@ def _energy(found: Simulation) -> dict[str, float]:
         "dissipation": taken,
         **({"given": given} if given > NOTHING * float(np.nanmax(np.abs(lost), initial=0.0)) else {}),
     }
+
+
+def _feedback(found: Simulation) -> list[dict[str, Any]]:
+    """Of each drive that is fed back: its largest error (m or rad) and force (N or N m), with signs; the share of the samples
+    at which its force is at its limit.
+    """
+    data = found.whole
+    if "tracking_error" not in data:
+        return []
+    rows = []
+    units = [list(units_of(data[one])) for one in ("tracking_error", "feedback_force")]
+    for k, name in enumerate(map(str, data["drive"].values)):
+        error, force, asked = (data[one].values[:, k] for one in ("tracking_error", "feedback_force", "feedback_asked"))
+        if not np.isnan(force).all():
+            limited = float(np.mean(np.abs(asked) > np.abs(force)))
+            own = {"unit": units[0][k], "force_unit": units[1][k]}
+            rows.append({"drive": name, "error": peak(error), "force": peak(force), "limited": limited, **own})
+    return rows
 
 
 def _motors(found: Simulation) -> list[dict[str, Any]]:

@@ -430,6 +430,12 @@ def simulation(found: Record | None) -> list[Table]:
         *together("J", {"fed": "electrical_energy", "of it heat in the winding": "copper_energy"}),
         measured("samples at rest", lambda one: one["still"] or None, "%"),
     ]
+    fed_back = [
+        words("drive"),
+        mixed("error", "error"),
+        mixed("force or torque", "force", "force_unit"),
+        measured("samples at its limit", lambda one: one["limited"] or None, "%"),
+    ]
     events = [
         words("event", "name"),
         words("time", lambda one: f"{number(one['time'], 9)} s"),
@@ -443,6 +449,7 @@ def simulation(found: Record | None) -> list[Table]:
     return [
         Table(("", ""), rows, "Simulation"),
         Table(motors, found["motors"], "Motors of the simulation: largest values with their signs, and totals", most=MOST),
+        Table(fed_back, found.get("feedback", []), "Drives fed back: largest values with their signs", most=MOST),
         Table(events, found["events"], "Events", most=MOST),
         Table(passages, found["passages"], "Singular positions passed (pivot 0 is singular)", most=MOST),
     ]

@@ -14,6 +14,8 @@ from kinetruss.errors import AnalysisError, InputError
 from kinetruss.kinematics import conditions
 from kinetruss.kinematics.time_tables import check_supports
 from kinetruss.limits import whole
+from kinetruss.mechanics import compile
+from kinetruss.mechanics.rigid_motions import floats
 from kinetruss.model import Condition, Free, Hold, Model, Quintic, Run
 from kinetruss.model.load_cases import acting_cases
 from kinetruss.model.runs import FLEXIBLE, MISSION, STANDING
@@ -126,6 +128,14 @@ def plan(model: Model, name: str | None, block: int | None = None) -> Plan:
     else:
         times = np.linspace(0.0, run.trajectory.duration, run.samples)  # type: ignore[union-attr]
         check_supports(model, 0.0, float(times[-1]))
+        if floats(compile(model)) is not None:  # where it is depends on all that was before
+            if cases != (None,):
+                raise InputError(
+                    f"Run {chosen!r} moves a structure that floats, and every load case moves it otherwise. Simulate it under "
+                    f"each by a run of its own: analysis: dynamics.simulate, t_end: {times[-1]:g} s, load_cases: [{cases[0]}], "
+                    "with the same trajectory."
+                )
+            given = followed((origin, model), condition, run.trajectory, times, raising=False)
     if run.analysis in FLEXIBLE:  # modes are followed, and a vibration goes on, from sample to sample
         block = len(times)
     block = block_size(model) if block is None else whole(block, "block")

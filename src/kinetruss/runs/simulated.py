@@ -29,7 +29,14 @@ def stepper_of(plan: Plan) -> Stepper:
     InputError : the simulation cannot be started.
     """
     run, t_end = plan.run, float(plan.times[-1])
-    options = Options(trajectory=run.trajectory, tasks=run.tasks, method=run.method, events=run.events, load_case=plan.cases[0])
+    options = Options(
+        trajectory=run.trajectory,
+        tasks=run.tasks,
+        method=run.method,
+        events=run.events,
+        load_case=plan.cases[0],
+        feedback=run.feedback,
+    )
     return stepper_for(problem_of(plan.model, t_end, options), t_end)
 
 

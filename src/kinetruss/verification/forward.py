@@ -74,6 +74,37 @@ def swing(law: str) -> Numbers:
     return {f"{t:g}s": x.sel(time=t) for t in times}
 
 
+def afloat() -> Numbers:
+    """Net turns, rad, of what floats without momentum: two bodies whose hinge makes a full turn, and a body that swings two
+    masses out, turns them, takes them in and turns them back.
+    """
+    pair, cat = model("two_bodies_afloat"), model("body_with_arms")
+    start, turn = 0.5 * math.pi, np.array([0, 0, 1.2, 1.2, 0.0])
+    full = kt.Quintic(moves={"turn": (start, start + 2 * math.pi)}, duration=3.0)
+    arm = (0.5, 1.4, 1.4, 0.5, 0.5)
+    values = {"left": tuple(start + turn), "right": tuple(turn - start), "up": arm, "down": arm}
+    cycle = kt.Spline(times=(0, 1, 2, 3, 4), values=values, shape="monotone")
+
+    def turned(of: kt.Model, along: Any) -> float:
+        motion = kt.kinematics.follow(of, along, samples=41)
+        d = motion.position.sel(node="P").values - motion.position.sel(node="O").values
+        return float(np.unwrap(np.arctan2(d[:, 1], d[:, 0]))[-1])
+
+    return {"hinge": turned(pair, full), "cycle": turned(cat, cycle)}
+
+
+def tracked() -> Numbers:
+    """Error, m, of a mass that follows 0.2 m/s from rest by feedback of 50 N/m and 4 N s/m, and with at most 0.3 N."""
+    mass, away = model("driven_mass"), kt.ConstantRate(rates={"jack": 0.2}, duration=2.0)
+    times = [0.0, 0.5, 1.0, 2.0]
+    fed = kt.Tracking(stiffness=50.0, damping=4.0, feedforward=False)
+    error = simulate(mass, 2.0, times=times, trajectory=away, method=FINE, feedback=fed).data["tracking_error"].values[:, 0]
+    found = {f"error_at_{t:g}s": error[k] for k, t in enumerate(times) if t}
+    fast, weak = kt.ConstantRate(rates={"jack": 5.0}, duration=1.0), kt.Tracking(damping=10.0, limits=0.3, feedforward=False)
+    run = simulate(mass, 1.0, samples=2, trajectory=fast, method=FINE, feedback=weak)
+    return found | {"limited": run.motion.position.sel(node="B", axis="x")[-1]}
+
+
 def caught() -> Numbers:
     """Height under the hook while falling, held and thrown back; when the cable becomes tight and slack."""
     # s, w: the elongation g/w^2 (1 - cos) + g t/w sin is zero again at tan(w tau/2) = -w t
