@@ -1,6 +1,8 @@
 """Simulations as runs: blocks, checkpoints, kills, interrupts, the way they are read and gone on with."""
 
 import importlib.util
+import json
+import os
 from pathlib import Path
 
 import numpy as np
@@ -128,6 +130,45 @@ def test_an_interrupt_within_a_block_loses_that_block_only(tmp_path, monkeypatch
     assert load(tmp_path / "half").good == 40
     assert resume(tmp_path / "half").whole
     assert acceptance.differences(tmp_path / "whole", tmp_path / "half") == []
+
+
+@pytest.mark.slow
+def test_an_interrupt_while_files_are_written_takes_nothing_back(tmp_path, monkeypatch):
+    """Ctrl-C is noticed when a call of the system returns: after each of those that write the run, one run after the other."""
+    run(model(), out=tmp_path / "whole", block=40)
+    calls = {"left": 0, "committed": 0}
+
+    def then_interrupted(call):
+        def called(*args, **kwargs):
+            result = call(*args, **kwargs)
+            half = tmp_path / f"half_{first}"
+            if (ledger := half / "kinetruss.json").exists() and (half / "model.json").exists():
+                calls["committed"] = json.loads(ledger.read_text())["committed"]
+                calls["left"] -= 1
+                if calls["left"] == 0:
+                    raise KeyboardInterrupt
+            return result
+
+        return called
+
+    first = again = 0
+    while calls["left"] <= 0:
+        first += 1
+        calls["left"] = first
+        with monkeypatch.context() as patched:
+            patched.setattr("os.fsync", then_interrupted(os.fsync))
+            patched.setattr(Path, "replace", then_interrupted(Path.replace))
+            try:
+                run(model(), out=tmp_path / f"half_{first}", block=40)
+            except KeyboardInterrupt:
+                pass
+        store = open_store(tmp_path / f"half_{first}")
+        assert store.ledger.committed >= calls["committed"]
+        if store.ledger.state != "finished":
+            again += 1
+            assert resume(tmp_path / f"half_{first}").whole
+        assert acceptance.differences(tmp_path / "whole", tmp_path / f"half_{first}") == []
+    assert again > 10
 
 
 @pytest.mark.slow

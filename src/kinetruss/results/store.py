@@ -128,7 +128,9 @@ class Writer:
             raise self._failed(error) from error
 
     def pause(self, status: str, message: str, wall_time: float) -> None:
-        """Store why the run was stopped; it can be continued."""
+        """Store why the run was stopped; it can be continued. One that has ended stays as it is."""
+        if self.ledger.state == "finished":
+            return
         self._lock.check()
         try:
             self._archive.seal()
@@ -171,9 +173,14 @@ class Writer:
         return StoreError(failure(self.path, self.ledger, error))
 
     def _commit(self, **changes: Any) -> None:
-        ledger = replace(self.ledger, length=self._archive.length, **changes)
-        write_ledger(self._lock.folder, ledger)
-        self.ledger = ledger
+        before = self.ledger
+        # first, so that an interrupt after the file is replaced cannot take back what it counts
+        self.ledger = replace(before, length=self._archive.length, **changes)
+        try:
+            write_ledger(self._lock.folder, self.ledger)
+        except OSError:
+            self.ledger = before
+            raise
 
 
 def key(case: str) -> str:
