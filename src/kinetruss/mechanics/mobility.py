@@ -461,8 +461,8 @@ def underdriven(system: System) -> InputError:
     mend = "Add a drive or a bar for each, or fix a node."
     if soft := yielding(system):
         mend = (
-            f"Not counted, since they yield or have a gap: supports {few(soft, LINES)}. A motion of drives does not say how far. "
-            "Hold them for it, or put a bar in place of each, which can have a stiffness in flexible analyses; "
+            f"Not counted, since they yield or have a gap: supports {few(soft, LINES)}. A motion of drives does not say how "
+            "far. Hold them for it, or put a bar in place of each, which can have a stiffness in flexible analyses; "
             "simulations and statics take them as they are."
         )
     return InputError(

@@ -4,12 +4,13 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterator, Mapping
-from typing import TYPE_CHECKING, Any, Protocol
+from typing import TYPE_CHECKING, Any, NoReturn, Protocol
 
 import numpy as np
 
+from kinetruss.errors import shown
 from kinetruss.kinematics.quantity_histories import quantities
-from kinetruss.model import Model
+from kinetruss.model import Model, ReadOnly, nearest
 from kinetruss.model.load_cases import acting_cases
 from kinetruss.model.quantities import needs_forces
 from kinetruss.results.wide_tables import NOT_CHECKED, Row
@@ -41,23 +42,39 @@ class Ran(Protocol):
     def forces(self) -> Mapping[str, Forces]: ...  # noqa: D102
 
 
+class ByCase(ReadOnly[str, Any]):
+    """The quantities of each load case."""
+
+    __slots__ = ()
+
+    def __missing__(self, key: object) -> NoReturn:
+        if not self:
+            raise KeyError(f"{shown(key)}: the run has no quantities, or no good sample.")
+        case, names = next(iter(self)), next(iter(self.values()))["quantity"].values.astype(str).tolist()
+        if key in names:
+            raise KeyError(f"{shown(key)} is a quantity. Write run.quantities[{case!r}].value.sel(quantity={key!r}).")
+        raise KeyError(f"{shown(key)} is neither a load case nor a quantity. {nearest(key, [*self, *names])}")
+
+
 def quantities_of(run: Ran) -> dict[str, xr.Dataset]:
     """The quantities of a run by load case, as of `kinematics.quantities`; under ``all`` those of a motion that does not depend
     on the case, if none of them needs forces. Empty if the model defines none, or no sample is good.
     """
     if not run.model.quantities or not run.motion.arrays["time"].values.size:
-        return {}
+        return ByCase({})
     # of linear statics and equilibria the positions are those under the loads of the case
     placed: dict[str, Result] = {
         case: one for case, one in run.statics.items() if one.attrs.get("kind") in ("linear", "equilibrium")
     }
     if placed:
-        return {case: quantities(run.model, one, forces=run.forces.get(case)) for case, one in placed.items()}
+        return ByCase({case: quantities(run.model, one, forces=run.forces.get(case)) for case, one in placed.items()})
     loaded = run.forces if any(needs_forces(run.model, name) for name in run.model.quantities) else {}
-    return {
-        case: quantities(run.model, run.motion, forces=loaded.get(case)).assign_attrs({ONE_MOTION: 1})
-        for case in loaded or ("all",)
-    }
+    return ByCase(
+        {
+            case: quantities(run.model, run.motion, forces=loaded.get(case)).assign_attrs({ONE_MOTION: 1})
+            for case in loaded or ("all",)
+        }
+    )
 
 
 def entries(model: Model, found: Mapping[str, xr.Dataset]) -> Iterator[tuple[str, xr.Dataset, int, str]]:
