@@ -81,7 +81,7 @@ def braced(push, brace, tie):
 
 
 def test_deflections_in_which_cables_begin_to_pull_are_refused():
-    """Away from the cable a deflection is that of linear statics; into it neither is known to the other, so that it is refused."""
+    """Away from the cable a deflection is that of linear statics; into it, it is refused."""
     slack = braced(1e3, "rigid", "cable")
     forces = kt.runs.forces_at_rest(slack)
     sunk = kt.statics.deflection(slack, forces).displacement[0]

@@ -356,6 +356,6 @@ def _unloaded(state: State) -> str:
     if continua is None or continua.beams is None:
         return ""
     return (
-        " Beams and links, which are elastic here, carry no load in it: without that equilibrium the stiffness that their tension "
-        "gives, of a pendulum all of it, is missing."
+        " Beams and links, which are elastic here, carry no load in it: without that equilibrium the stiffness that their "
+        "tension gives, of a pendulum all of it, is missing."
     )

@@ -223,7 +223,7 @@ def _refuse_falling(system: System, loads: Loads, solved: dict[str, Any]) -> Non
     if system.continua is not None or (system.law != NONE).any() or system.force_elements:
         return
     off = np.abs(solved["rest"][:, system.free]).max(initial=0.0)
-    size = max(float(np.abs(one).max(initial=0.0)) for one in (solved["joint"], loads.force))
+    size = max(float(np.abs(one).max(initial=0.0)) for one in (solved["rest"], solved["joint"], loads.force))
     if off > BALANCED * size:
         raise InputError(f"{underdriven(system)} In this pose {off:.3g} N act along it, which nothing holds.")
 

@@ -65,8 +65,8 @@ class Softness:
         known = [system.members[i] for i in system.row_member[rows]]
         if name in system.given.bending:
             raise InputError(
-                f"{name!r} is a {'link' if name in system.given.links else 'beam'}, which bends as its section and material say. "
-                "Only bars and active members can be named in rigid and stiffness; give it another E to make it stiffer."
+                f"{name!r} is a {'link' if name in system.given.links else 'beam'}, which bends as its section and material "
+                "say. Only bars and active members can be named in rigid and stiffness; give it another E to make it stiffer."
             )
         if name not in known:
             own = [one for one in known if one in system.given.members]

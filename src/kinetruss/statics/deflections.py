@@ -160,8 +160,8 @@ def _stiffly(
         u[i], e[i], bent[i] = solved.displacement, solved.elongation, 0.5 * solved.displacement @ solved.inner
         if names := changed(held, x[i].reshape(-1, 3), flexible[i], e[i]):
             raise InputError(
-                f"At sample {i} the deflection tightens or slackens {few(names, 6)}, while a deflection takes what pulls or presses "
-                "as it is in the rigid motion. Take statics.linear, statics.equilibrium or flexible.simulate, which find it."
+                f"At sample {i} the deflection tightens or slackens {few(names, 6)}, while a deflection takes what pulls or "
+                "presses as it is in the rigid motion. Take statics.linear, statics.equilibrium or flexible.simulate for it."
             )
         if max(solved.errors) > max(worst):
             worst, at = solved.errors, i
