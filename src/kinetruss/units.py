@@ -9,6 +9,7 @@ from __future__ import annotations
 
 import math
 import re
+from fractions import Fraction
 from functools import lru_cache
 from numbers import Real
 from typing import NamedTuple
@@ -16,7 +17,7 @@ from typing import NamedTuple
 from kinetruss.errors import UnitError, shown
 from kinetruss.limits import LARGEST
 
-__all__ = ["EITHER", "NUMBER", "QUANTITIES", "Tagged", "parse", "shown", "unit_of"]
+__all__ = ["EITHER", "NUMBER", "QUANTITIES", "Tagged", "dimension_of", "parse", "shown", "text_of", "unit_of"]
 
 Dimension = tuple[int, int, int, int, int]  # kg, m, s, A, rad
 
@@ -97,6 +98,7 @@ class Tagged(float):
     """A float with the quantity that its text had (``length``, ``angle``), or None for a bare number."""
 
     quantity: str | None
+    """``length``, ``angle``; of a measure of another kind its SI unit."""
 
     def __new__(cls, value: float, quantity: str | None = None) -> Tagged:
         """A tagged copy of `value`."""
@@ -231,6 +233,8 @@ QUANTITIES: dict[str, Quantity] = {
     "spring stiffness": _quantity("N/m", "N m/rad", "N m"),
     "spring damping": _quantity("N s/m", "N m s/rad", "N m s"),
     "force or moment": _quantity("N", "N m"),
+    "contact damping": _quantity("s/m", "s/rad"),
+    "measure": _quantity("m", "rad"),
 }
 
 
@@ -241,8 +245,10 @@ EITHER = {
     "spring stiffness": "N/m, or N m/rad",
     "spring damping": "N s/m, or N m s/rad",
     "force or moment": "N, or N m",
+    "contact damping": "s/m, or s/rad",
+    "measure": "m, or rad, or the unit of what is measured",
 }
-"""Quantities of a length or of an angle: the first of their dimensions is that of a length."""
+"""Quantities of a length or of an angle: the first of their dimensions is that of a length. A measure may have any other."""
 
 
 def unit_of(quantity: str) -> str:
@@ -253,6 +259,40 @@ def unit_of(quantity: str) -> str:
     ('m', 'N m', '')
     """
     return QUANTITIES[quantity].unit
+
+
+def dimension_of(text: str) -> Dimension:
+    """Exponents of kg, m, s, A and rad in a unit.
+
+    >>> dimension_of("W")
+    (1, 2, -3, 0, 0)
+    """
+    return _expression(text)[1] if text else (0, 0, 0, 0, 0)
+
+
+Power = int | Fraction
+_NAMED: dict[tuple[Power, Power, Power], str] = {(1, 2, -3): "W", (1, -1, -2): "Pa", (1, 0, 0): "kg"}
+"""Units that have a name of their own, by exponents of kg, m and s."""
+
+
+def text_of(mass: Power, length: Power, time: Power, current: Power = 0, turn: Power = 0) -> str:
+    """The SI unit kg^mass m^length s^time A^current rad^turn as text, forces in N; empty for a plain number. Radians of a
+    length or a force are none: r times an angle is in m.
+
+    >>> text_of(1, 1, -2), text_of(1, 2, -3), text_of(0, 1, -1), text_of(0, -1, 0, turn=1), text_of(2, 2, -4)
+    ('N', 'W', 'm/s', 'rad/m', 'N^2')
+    """
+    turn = turn if turn < 0 or not (mass or length) or length < 0 else 0
+    if not (current or turn) and (mass, length, time) in _NAMED:
+        return _NAMED[mass, length, time]
+    parts = [("N", mass), ("m", length - mass), ("rad", turn), ("s", time + 2 * mass), ("A", current)]
+    above = [_to_power(name, p) for name, p in parts if p > 0]
+    below = [_to_power(name, -p) for name, p in parts if p < 0]
+    return "/".join([" ".join(above) or ("1" if below else ""), *below])
+
+
+def _to_power(name: str, power: Power) -> str:
+    return name if power == 1 else f"{name}^{float(power):g}"
 
 
 def parse(value: object, quantity: str) -> float:
@@ -324,12 +364,14 @@ def _parse_text(text: str, quantity: str) -> float:
     except UnitError as error:
         mend = "" if "Write" in str(error) else f" {_example(quantity)}"
         raise UnitError(f"{text!r} is not {_a(quantity)}: {error}{mend}") from None
-    if dimension not in QUANTITIES[quantity].dimensions:
+    if dimension not in (known := QUANTITIES[quantity].dimensions) and quantity != "measure":
         raise UnitError(f"{text!r} is not {_a(_named(quantity))}. {_hint(unit, quantity)}")
     number = _bounded(number * factor, quantity, text)
-    if quantity in EITHER:
-        return Tagged(number, "length" if dimension == QUANTITIES[quantity].dimensions[0] else "angle")
-    return number
+    if quantity not in EITHER:
+        return number
+    if dimension in known:
+        return Tagged(number, "length" if dimension == known[0] else "angle")
+    return Tagged(number, text_of(*dimension))
 
 
 def _comma(text: str) -> str:

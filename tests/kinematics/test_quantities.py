@@ -390,3 +390,123 @@ def test_a_result_of_another_model_is_refused():
         quantities(spatial().with_(nodes={"O": (0, 0, 0), "P": (1, 0, 0), "Q": (0, 1, 0)}), motion, {"q": "P.x"})
     with pytest.raises(kt.InputError, match="has no positions"):
         quantities(crank_rocker(), kt.results.Result(data=motion.data[["drive_position"]]), {"q": "B.x"})
+
+
+# Forces in quantities.
+
+LOAD, AREA = 30e3, np.pi / 4 * 0.06**2
+"""Weight on a piston, N, and the area of its bore, m^2."""
+
+
+def lifted(**more):
+    """A load on a piston, between rails without friction, fed with a given flow: p = load/area at any speed."""
+    return kt.Model(
+        nodes={"A": (0, 0), "B": (0, 1)},
+        fixed={"A": "xy", "B": "x"},
+        bars={"rod": kt.Bar(ends=("A", "B"), kind="free")},
+        drives={"up": kt.CoordinateDrive(node="B", axis="y")},
+        loads={"load": kt.NodalForce(node="B", force=(0, -LOAD))},
+        cylinders={"lift": kt.Cylinder(member="rod", bore=0.06, rod=0.03, pressure_A=LOAD / AREA)},
+        trajectories={"rise": kt.ConstantRate(rates={"up": 0.1}, duration=1.0)},
+        runs={
+            "forces": kt.Run(analysis="dynamics.inverse", trajectory="rise", samples=5),
+            "motion": kt.Run(analysis="kinematics.follow", trajectory="rise", samples=5),
+        },
+        **more,
+    )
+
+
+def test_forces_in_expressions_are_those_of_the_result():
+    """Power is force times rate, so the sum over drives is the power of the result; vectors have components and lengths."""
+    model = crank_rocker(section=kt.Rectangle(width=0.02, height=0.005), material="steel_s235", gravity=(0, -9.81))
+    motion = turned(model, samples=9)
+    forces = kt.dynamics.inverse(model, motion)
+    texts = {
+        "torque": "torque(motor)",
+        "power": "power(motor)",
+        "bar": "force(coupler)",
+        "size": "length(reaction(A))/N",
+        "up": "reaction(A, ey) + 1*kN",
+        "dot": "dot(reaction(D), rate(node(C)))",
+    }
+    found = quantities(model, forces, texts)
+    assert found.quantity_unit.values.tolist() == ["N m", "W", "N", "", "N", "W"]
+    got = {name: found.value.sel(quantity=name).values for name in texts}
+    force = forces.reaction.sel(support="A").values
+    np.testing.assert_array_equal(got["torque"], forces.drive_force[:, 0])
+    np.testing.assert_allclose(got["power"], forces.power, rtol=1e-12)
+    np.testing.assert_array_equal(got["bar"], forces.member_force.sel(member="coupler"))
+    np.testing.assert_allclose(got["size"], np.hypot(*force.T), rtol=1e-14)
+    np.testing.assert_allclose(got["up"], force[:, 1] + 1e3, rtol=1e-14)
+    speed = motion.velocity.sel(node="C").values
+    np.testing.assert_allclose(got["dot"], (forces.reaction.sel(support="D").values * speed).sum(axis=1), atol=1e-12)
+    assert np.isnan(found.rate).all()
+    np.testing.assert_array_equal(quantities(model, motion, {"t": "torque(motor)"}).value, np.full((9, 1), np.nan))
+
+
+def test_limits_of_pressures_and_forces_are_checked_where_forces_are_known(tmp_path):
+    """Pressure that carries the load: 30 kN over 28.3 cm^2 is 106.1 bar; drives then have nothing to do."""
+    limits = {"p": ("pressure_A(lift)", "200 bar"), "F": ("thrust(lift)", "29 kN"), "P": ("power(up)", "1 kW")}
+    model = lifted(quantities={name: kt.Quantity(text, limits=(None, most)) for name, (text, most) in limits.items()})
+    rows = {row.part: row for row in kt.run(model, "forces").finding.quantities}
+    assert rows["p"].value == pytest.approx(LOAD / AREA)
+    assert rows["p"].utilisation == pytest.approx(LOAD / AREA / 200e5)
+    assert (rows["F"].status, rows["F"].unit, rows["p"].unit) == ("exceeded", "N", "Pa")
+    assert rows["P"].value == pytest.approx(0.0, abs=1e-9)
+    only = kt.run(model, "motion").finding
+    assert {row.status for row in only.quantities} == {"not checked"}
+    assert all("needs forces" in one for one in only.unknown)
+    path = kt.write(model, tmp_path / "lift.yaml") or tmp_path / "lift.yaml"
+    assert kt.read(path).quantities == model.quantities
+    for text, fault in {
+        "rate(thrust(lift))": "is the rate of 'thrust(lift)', which has none",
+        "torque(up)": "has a force, no torque",
+        "reaction(lift)": "no reaction at 'lift'",
+        "pressure_A(up)": "has a force, no pressure_A",
+        "thrust(lift) + 1*m": "puts together what is in N and what is in m",
+        "force(gone)": "no part with a force called 'gone'",
+    }.items():
+        with pytest.raises(kt.ModelError) as caught:
+            model.with_(quantities={"q": text})
+        assert fault in str(caught.value)
+    with pytest.raises(kt.ModelError, match=r"is in W, but 'q' is in N"):
+        model.with_(quantities={"q": kt.Quantity("force(up)", limits=(None, "3 kW"))})
+
+
+def test_forces_of_statics_and_simulations_are_read_case_by_case():
+    """A rod that hangs: the reaction is the load of each case, in small displacements, in equilibrium, and at rest in time."""
+    rod = kt.Model(
+        nodes={"A": (0, 0), "B": (0, -1)},
+        fixed={"A": "xy", "B": "x"},
+        bars={"rod": kt.Bar(ends=("A", "B"), kind="elastic", section=kt.Rod(diameter=0.01), material="steel_s235", mass=1e-6)},
+        loads={"hook": kt.NodalForce(node="B", force=(0, -2e3))},
+        load_cases={"one": {"loads": {"hook": 1}}, "two": {"loads": {"hook": 2}}},
+        quantities={"up": kt.Quantity("reaction(A, ey)", limits=(None, "3 kN")), "N": "force(rod)", "long": "length(rod)"},
+        runs={"small": kt.Run(analysis="statics.linear"), "large": kt.Run(analysis="statics.equilibrium", load_cases=("two",))},
+    )
+    small, large = kt.run(rod, "small"), kt.run(rod, "large")
+    for name, expected in (("up", (2e3, 4e3)), ("N", (2e3, 4e3))):
+        got = [small.quantities[case].value.sel(quantity=name).item() for case in ("one", "two")]
+        assert got == pytest.approx(expected, rel=1e-6)
+        assert large.quantities["two"].value.sel(quantity=name).item() == pytest.approx(4e3, rel=1e-6)
+    assert [row.load_case for row in small.finding.quantities if row.status == "exceeded"] == ["two"]
+    linear = kt.statics.linear(rod, load_case="one")
+    np.testing.assert_allclose(quantities(rod, linear).value[0], 2e3, rtol=1e-6)
+
+
+def test_what_loads_do_not_change_is_told_once():
+    model = lifted(
+        load_cases={"one": {"loads": {"load": 1}}, "two": {"loads": {"load": 2}}},
+        quantities={"y": kt.Quantity("B.y", limits=(None, 2)), "F": kt.Quantity("force(up)", limits=(None, "40 kN"))},
+    )
+    found = kt.run(model, "forces")
+    rows = {(row.part, row.load_case): row.value for row in found.finding.quantities}
+    assert rows == pytest.approx({("y", "all"): 1.1, ("F", "one"): 0.0, ("F", "two"): LOAD}, abs=1e-6)
+
+
+def test_functions_of_elements_are_the_results_they_have():
+    from kinetruss.elements.cylinder import LAW
+    from kinetruss.model.measured_forces import FUNCTIONS
+
+    assert {name: one.unit for name, one in LAW.values.items()} == kt.Cylinder.measured
+    assert set(FUNCTIONS) >= set(kt.Cylinder.measured)

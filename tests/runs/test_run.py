@@ -148,3 +148,24 @@ def test_large_models_take_smaller_blocks():
     many = {f"n{i}": (float(i), 0.0) for i in range(1001)}
     chain = kt.Model(nodes=many, bars={f"b{i}": (f"n{i}", f"n{i + 1}") for i in range(1000)})
     assert block_size(chain) == 100
+
+
+def test_a_wrong_name_in_a_mapping_of_results_says_which_there_are():
+    """In memory and from a folder, of runs and of variants; a quantity in place of a load case is told where it is."""
+    model = kt.read(kt.library.example_files()["four_bar"][0]).with_(quantities={"middle": "B.x"})
+    run = kt.run(model, "turn")
+    for table in (run.forces, run.sections, run.demand, run.statics, run.settings):
+        with pytest.raises(KeyError, match="'al' is not in this table"):
+            table["al"]
+    with pytest.raises(KeyError, match="Did you mean 'all'"):
+        run.forces["al"]
+    with pytest.raises(KeyError, match=r"run\.quantities\['all'\]\.value\.sel\(quantity='middle'\)"):
+        run.quantities["middle"]
+    with pytest.raises(KeyError, match="neither a load case nor a quantity. Did you mean 'middle'"):
+        run.quantities["midle"]
+    with pytest.raises(KeyError, match="Did you mean 'member_force'"):
+        run.forces["all"].arrays["member_forces"]
+    several = kt.runs.run_variants(model, {"nodes.C.mass": [0.5, 1.0]}, "turn")
+    for table in (several, several.status, several.settings):
+        with pytest.raises(KeyError, match=r"Did you mean 'mass=0\.5'"):
+            table["mass=0,5"]

@@ -11,6 +11,7 @@ from typing import Any
 from kinetruss.display import Table, instant, quantity
 from kinetruss.display.tables import measured, together, words
 from kinetruss.model import Mission, Model
+from kinetruss.model.table import read_only
 from kinetruss.results import Demand, Verdict
 from kinetruss.strength.findings import Finding, demands, find
 
@@ -90,6 +91,9 @@ class Sizing:
     demand: Mapping[str, Demand] = field(default_factory=dict)
     notes: tuple[str, ...] = ()
     provenance: Mapping[str, Any] = field(default_factory=dict)
+
+    def __post_init__(self) -> None:
+        read_only(self)
 
     @cached_property
     def finding(self) -> Finding:

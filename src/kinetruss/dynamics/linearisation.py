@@ -346,5 +346,16 @@ def _message(state: State) -> str:
         return "About a moving state: the matrices hold at this instant."
     return (
         f"The state is no equilibrium (largest force left: {state.left:.3g} of the largest force): the matrices hold at this "
-        "instant of the motion that starts there. statics.equilibrium finds a state at rest."
+        f"instant of the motion that starts there. statics.equilibrium finds a state at rest.{_unloaded(state)}"
+    )
+
+
+def _unloaded(state: State) -> str:
+    """What is missing of beams that their loads have not deformed."""
+    continua = state.balance.system.continua
+    if continua is None or continua.beams is None:
+        return ""
+    return (
+        " Beams and links, which are elastic here, carry no load in it: without that equilibrium the stiffness that their "
+        "tension gives, of a pendulum all of it, is missing."
     )

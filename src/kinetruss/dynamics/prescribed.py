@@ -11,7 +11,7 @@ from kinetruss.display import moment
 from kinetruss.dynamics.bearing_friction import couples_on_ends, friction_directions, jam, seats_of
 from kinetruss.dynamics.force_tables import Read, force_arrays, forces_of, solved_in_space
 from kinetruss.dynamics.least_norm import free_forces, least_norm
-from kinetruss.errors import AnalysisError
+from kinetruss.errors import AnalysisError, InputError
 from kinetruss.kernels.compiled.workspace import allocate
 from kinetruss.kernels.structure.structure import NONE, EndForces, NodalLoads, States
 from kinetruss.kernels.sweep.forces import applied, forces as sweep
@@ -32,6 +32,7 @@ from kinetruss.mechanics.accuracy import NEAR, NOTHING, accuracy_note, error_of,
 from kinetruss.mechanics.beam_shapes import STRAIGHT, FixedShapes, fixed_shapes
 from kinetruss.mechanics.elements import material_stiffness, strained_forces
 from kinetruss.mechanics.loads import Loads, case_loads
+from kinetruss.mechanics.mobility import underdriven
 from kinetruss.mechanics.tables import nodal_loads, structure_of
 from kinetruss.model import Model
 from kinetruss.results import Forces, Motion, provenance
@@ -64,13 +65,14 @@ def out_of_balance(system: System, loads: Any, x: NDArray[np.float64], rest: NDA
     return off if off > BALANCED * largest + ROUND_OFF * stiff * float(np.ptp(system.x0, axis=0).max()) else 0.0
 
 
-def bars_out_of_balance(system: System, rest: NDArray[np.float64], joint: NDArray[np.float64]) -> float:
-    """Largest residual (times, 3 n) at free coordinates, N, where elastic bars are not in balance; else 0.
+def bars_out_of_balance(system: System, rest: NDArray[np.float64], joint: NDArray[np.float64], still: bool) -> float:
+    """Largest residual (times, 3 n) at free coordinates, N, where elastic bars, at rest also springs, are not in balance; else
+    0.
 
-    joint (times, members, 2, 3) : forces at the ends of members, N. Without elastic bars there is none: what a mechanism needs
-    in its free directions is no fault of its positions.
+    joint (times, members, 2, 3) : forces at the ends of members, N. Without what is elastic there is none: what a mechanism
+    needs in its free directions is no fault of its positions.
     """
-    if not len(rest) or not (system.law != NONE).any():
+    if not len(rest) or not ((system.law != NONE).any() or (still and system.force_elements)):
         return 0.0
     off = float(np.abs(rest[:, system.free]).max(initial=0.0))
     size = float(np.abs(joint).max(initial=0.0))
@@ -222,7 +224,21 @@ def at_rest(system: System, motion: Motion, loads: Loads, closed: NDArray[np.boo
     x = flat(system, motion, "position")
     loads = loads.at(x)
     solved = solve(system, motion.arrays["drive_position"].values, loads, _at_rest(States(x, x, x)))
+    if closed is not None:
+        _refuse_falling(system, loads, solved)
     return _record(system, motion, loads, solved, None, at_rest=True, closed=closed)
+
+
+def _refuse_falling(system: System, loads: Loads, solved: dict[str, Any]) -> None:
+    """Refuse poses of given drives in which loads act along a freedom that the drives leave; what is elastic yields, and has a
+    message of its own.
+    """
+    if system.continua is not None or (system.law != NONE).any() or system.force_elements:
+        return
+    off = np.abs(solved["rest"][:, system.free]).max(initial=0.0)
+    size = max(float(np.abs(one).max(initial=0.0)) for one in (solved["rest"], solved["joint"], loads.force))
+    if off > BALANCED * size:
+        raise InputError(f"{underdriven(system)} In this pose {off:.3g} N act along it, which nothing holds.")
 
 
 def _at_rest(states: States) -> States:
@@ -266,7 +282,7 @@ def _solve(system: System, values: NDArray[np.float64], loads: Any, states: Stat
     if arrangement.plan is None:
         solved["not_unique"], solved["singular"] = free_forces(system, loads, values, states, N, ends)
         solved["off"] = out_of_balance(system, loads, x, rest)
-        solved["loose"] = 0.0 if solved["off"] else bars_out_of_balance(system, rest, joint)
+        solved["loose"] = 0.0 if solved["off"] else bars_out_of_balance(system, rest, joint, len(states.v) == 1)
         solved["adrift"] = 0.0 if solved["off"] or solved["loose"] else out_of_balance_as_a_whole(system, loads, rest, joint)
         return solved
     pivot, whole, acting = np.ones(count), structure_of(system), nodal_loads(loads)
@@ -421,7 +437,7 @@ def _record(
         data.attrs["not_balanced"] = off
         message = f"{message} {unbalanced(off, at_rest)}".strip()
     if off := solved.get("loose", 0.0):
-        message = f"{message} {unbalanced(off, at_rest, 'elastic bars')}".strip()
+        message = f"{message} {unbalanced(off, at_rest, 'elastic bars' if (system.law != NONE).any() else 'springs')}".strip()
     if off := solved.get("adrift", 0.0):
         data.attrs["not_balanced"] = off
         message = f"{message} {unheld(off, at_rest)}".strip()

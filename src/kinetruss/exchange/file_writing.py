@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping, Sequence
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
@@ -11,6 +11,7 @@ import numpy as np
 
 from kinetruss.errors import InputError
 from kinetruss.exchange.robots import LeftOut
+from kinetruss.exchange.tables_out import not_carried
 from kinetruss.limits import hold
 from kinetruss.model import Model
 from kinetruss.results.folder import whole_file
@@ -78,7 +79,9 @@ def write(what: Model | RunResult, path: str | Path, *, time: float | None = Non
         raise InputError(f"{path} has the suffix {path.suffix!r}. Files that are written: {', '.join(FORMATS)}.")
     if not isinstance(what, Model):
         check_histories(what)
-    return FORMATS[suffix](what, path, time, overwrite)
+    written = FORMATS[suffix](what, path, time, overwrite)
+    model = what if isinstance(what, Model) else what.model
+    return replace(written, left_out=(*written.left_out, *not_carried(model, suffix, written.left_out)))
 
 
 def _free(path: Path, overwrite: bool) -> Path:

@@ -64,8 +64,9 @@ class _Maker:
             for name, bar in model.bars.items()
             if bar.kind in ("elastic", "cable")
         ]
-        stops = {one.node: None for one in self.model.inner.holdings if one.table == "stops"}
-        self.left += [LeftOut("supports", node, "its gap is not carried: nothing holds the node there") for node in stops]
+        for table, what in (("stops", "gap"), ("springs", "spring")):
+            soft = dict.fromkeys(one.text(model.dim) for one in self.model.inner.holdings if one.table == table)
+            self.left += [LeftOut("supports", one, f"its {what} is not carried: nothing holds the node there") for one in soft]
         self.pivots: list[Pivot] = []
         self.coordinates = acting(model)
         self.values = values_of(model, self.coordinates, x)

@@ -63,8 +63,14 @@ class Softness:
     def _row(system: System, name: str) -> int:
         rows = np.flatnonzero(system.row_kind == LENGTH)
         known = [system.members[i] for i in system.row_member[rows]]
+        if name in system.given.bending:
+            raise InputError(
+                f"{name!r} is a {'link' if name in system.given.links else 'beam'}, which bends as its section and material "
+                "say. Only bars and active members can be named in rigid and stiffness; give it another E to make it stiffer."
+            )
         if name not in known:
-            raise InputError(f"{name!r} is no rigid or driven member. {nearest(name, known)}".rstrip())
+            own = [one for one in known if one in system.given.members]
+            raise InputError(f"{name!r} is no rigid or driven member. {nearest(name, own)}".rstrip())
         return int(rows[known.index(name)])
 
     def __post_init__(self) -> None:

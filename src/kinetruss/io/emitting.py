@@ -12,7 +12,7 @@ from typing import Any, get_args
 from kinetruss.model import Bar, Membrane, Model, Node, Of, Record, Restraint, Solid
 from kinetruss.units import EITHER, Tagged
 
-_UNITS = {quantity: dict(zip(("length", "angle"), units.split(", or "), strict=True)) for quantity, units in EITHER.items()}
+_UNITS = {quantity: dict(zip(("length", "angle"), units.split(", or "), strict=False)) for quantity, units in EITHER.items()}
 """By quantity the units of the values of a length and of an angle."""
 _SHORT = {Node: "at", Bar: "ends", Restraint: "stiffness"}
 """Records that are written as the value of one field if they have no other field."""
@@ -70,8 +70,8 @@ def _value(value: Any, quantity: str) -> Any:
     if isinstance(value, (list, tuple)):
         return [_value(item, quantity) for item in value]
     if isinstance(value, Tagged):
-        number = float(value)
-        return f"{number!r} {_UNITS[quantity or 'coordinate'][value.quantity]}" if value.quantity else number
+        number, units = float(value), _UNITS[quantity or "coordinate"]
+        return f"{number!r} {units.get(value.quantity, value.quantity)}" if value.quantity else number
     return value
 
 

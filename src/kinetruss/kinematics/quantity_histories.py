@@ -7,7 +7,7 @@ exact: nothing is differenced (kernels.coordinates.programs). A rate within an e
 from __future__ import annotations
 
 import math
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
@@ -23,17 +23,19 @@ from kinetruss.mechanics.measures import terms_sum
 from kinetruss.model.expressions import (
     AXES,
     CONSTANTS,
+    FORCE_UNITS,
     FUNCTIONS,
-    ExpressionError,
     Kind,
     Tree,
+    forces_in,
     function_of,
     kind_of,
     looked_up,
     read_expression,
 )
+from kinetruss.model.measured_forces import ExpressionError
 from kinetruss.model.quantities import kinds_of
-from kinetruss.results import Motion, variable
+from kinetruss.results import Motion, Simulation, variable
 from kinetruss.results.wide_tables import unit_along
 
 if TYPE_CHECKING:
@@ -41,7 +43,7 @@ if TYPE_CHECKING:
 
     from kinetruss.mechanics import System
     from kinetruss.model import Model
-    from kinetruss.results import Result
+    from kinetruss.results import Forces, Result
 
     Array = NDArray[np.float64]
 
@@ -50,13 +52,16 @@ PASSES = 4
 """Angles of angles, at most, whose turns are counted one after the other."""
 
 
-def quantities(model: Model, result: Result, expressions: Mapping[str, str] | None = None) -> xr.Dataset:
+def quantities(
+    model: Model, result: Result, expressions: Mapping[str, str] | None = None, *, forces: Forces | None = None
+) -> xr.Dataset:
     """The quantities of a model (`Model.quantities`) in a result, with their first and second rates.
 
     Parameters
     ----------
     result : a motion, forces, a simulation; or a position at rest: an equilibrium, forces of poses, `statics.linear`.
     expressions : others by name, in place of those of the model.
+    forces : those of `result`, if it has none itself, for expressions that read them.
 
     Returns
     -------
@@ -64,11 +69,12 @@ def quantities(model: Model, result: Result, expressions: Mapping[str, str] | No
     motion ``rate``, per s, and ``second_rate``, per s^2. Angles count on over full turns; in the first sample they are the
     nearest to those of the model. Of `statics.linear` the value is that of the model plus its change to first order. NaN : what
     is not known, as a rate at rest, the second rate of an expression that has rates, an angle between directions of which one
-    vanishes, and the value of an angle from an instant on before which the samples are too far apart to count its turns.
+    vanishes, the value of an angle from an instant on before which the samples are too far apart to count its turns; values
+    with forces where none are known, and their rates.
 
     Raises
     ------
-    InputError : a result without positions; an expression at fault.
+    InputError : a result without positions; an expression at fault; forces at other instants.
 
     Notes
     -----
@@ -89,7 +95,12 @@ def quantities(model: Model, result: Result, expressions: Mapping[str, str] | No
     states, time, samples, linear, coords = _states(system, result)
     start = np.zeros((3, system.x0.size, 1))
     start[0, :, 0] = system.x0.reshape(-1)
-    found = _evaluated(system, trees, states, time, _evaluated(system, trees, start, None, None)[1])[0][:, :, samples]
+    slots = _slots(system, trees.values())
+    read = _values(slots, forces or (result.forces if isinstance(result, Simulation) else result), states[..., samples])
+    start = _joined(start, np.full((len(read), 1), np.nan), None, slice(None), linear)
+    states = _joined(states, read, time, samples, linear)
+    before = _evaluated(system, trees, start, None, None, slots)[1]
+    found = _evaluated(system, trees, states, time, before, slots)[0][:, :, samples]
     value = found[0] + found[1] if linear else found[0]
     over = ("time", "quantity") if "time" in coords else ("quantity",)
     names = np.array(list(trees), dtype=object).astype(str)
@@ -176,12 +187,54 @@ def _coefficients(x: Array, v: Array | None, a: Array | None) -> Array:
 # Evaluation.
 
 
+Slots = dict[Tree, tuple[int, bool]]
+"""Further coordinates behind those of the nodes: the place of the first, and whether there are three."""
+
+
+def _slots(system: System, trees: Iterable[Tree]) -> Slots:
+    """The places of what trees read from forces."""
+    found: Slots = {}
+    at = system.x0.size
+    for one in (one for tree in trees for one in forces_in(system.given, tree)):
+        if one not in found:
+            found[one] = at, one.value.vector
+            at += 3 if one.value.vector else 1
+    return found
+
+
+def _values(slots: Slots, result: Result, states: Array) -> Array:
+    """What is read from a result with forces, (coordinates, times); NaN where it has none."""
+    arrays, count = result.arrays, states.shape[2]
+    found = [np.zeros((0, count))]
+    for tree, (_, vector) in slots.items():
+        one = tree.value
+        own = np.full((3 if vector else 1, count), np.nan)
+        names = arrays[one.axis].values.tolist() if one.axis in arrays else []
+        if one.name in arrays and one.entry in names:
+            column = arrays[one.name]
+            values = np.take(column.values, names.index(one.entry), axis=column.dims.index(one.axis))
+            values = values.reshape(len(values) if column.dims[0] == "time" else 1, -1)
+            if len(values) != count:
+                raise InputError(f"The forces have {len(values)} samples, the positions {count}. Give those of one result.")
+            own[:] = np.pad(values.T, ((0, len(own) - values.shape[1]), (0, 0)))
+        found.append(own)
+    return np.concatenate(found)
+
+
+def _joined(states: Array, values: Array, time: Array | None, samples: Any, linear: bool) -> Array:
+    """The coefficients with those of forces, whose rates are not known; between samples only to count turns of angles."""
+    if time is not None and values.shape[1] != states.shape[2]:
+        values = np.array([np.interp(time, time[samples], one) for one in values]).reshape(-1, states.shape[2])
+    none = np.full_like(values, np.nan)
+    return np.concatenate([states, np.stack([values, np.zeros_like(values) if linear else none, none])], axis=1)
+
+
 def _evaluated(
-    system: System, trees: Mapping[str, Tree], known: Array, time: Array | None, before: dict[Any, Array] | None
+    system: System, trees: Mapping[str, Tree], known: Array, time: Array | None, before: dict[Any, Array] | None, slots: Slots
 ) -> tuple[Array, dict[Any, Array]]:
     """Coefficients (3, trees, times), and by rates, and at last by none, the angles of the program, as they are."""
     angles: dict[Any, Array] = {}
-    return _series(system, list(trees.values()), known, time, before, angles, ()), angles
+    return _series(system, list(trees.values()), known, time, before, angles, (), slots), angles
 
 
 def _series(
@@ -192,6 +245,7 @@ def _series(
     before: dict[Any, Array] | None,
     angles: dict[Any, Array],
     place: tuple[int, ...],
+    slots: Slots,
 ) -> Array:
     """Coefficients (3, trees, times) of trees; their rates are computed before, and known as further coordinates.
 
@@ -206,11 +260,11 @@ def _series(
             for one in inner
             for c in (range(3) if _vector(system, one) else (0,))
         ]
-        found = _series(system, parts, known, time, before, angles, (*place, 0))
+        found = _series(system, parts, known, time, before, angles, (*place, 0), slots)
         # c0 + c1 t + c2 t^2 has the rate c1 + 2 c2 t; what follows is not known
         more = np.stack([found[1], 2.0 * found[2], np.full_like(found[1], np.nan)])
         given = np.concatenate([known, more], axis=1)
-    made = _Made(system, rates)
+    made = _Made(system, rates, known.shape[1], slots)
     results = [made.program.scalar(made.of(tree)) for tree in trees]
     program = made.program
     turning = [Scalar(program, j) for j, one in enumerate(program.operations) if one.op == ANGLE_OF]
@@ -264,15 +318,15 @@ def _vector(system: System, tree: Tree) -> bool:
 
 
 class _Made:
-    """Makes a program of trees. rates : those that are known, behind the coordinates of the nodes."""
+    """Makes a program of trees. rates : those that are known, from coordinate `at` on; slots : what is read from forces."""
 
-    def __init__(self, system: System, rates: Sequence[Tree]) -> None:
+    def __init__(self, system: System, rates: Sequence[Tree], at: int | None = None, slots: Slots | None = None) -> None:
         self.program, self._system, self._model = Program(), system, system.given
-        self._rates: dict[Tree, tuple[int, bool]] = {}
-        at = system.x0.size
+        self._known: Slots = dict(slots or {})
+        at = system.x0.size if at is None else at
         for one in rates:
             several = _vector(system, one)
-            self._rates[one] = at, several
+            self._known[one] = at, several
             at += 3 if several else 1
         self._index = {name: i for i, name in enumerate(system.nodes)}
 
@@ -282,7 +336,7 @@ class _Made:
         if tree.op == "number":
             return program.number(tree.value)
         if tree.op == "constant":
-            return program.number(CONSTANTS[tree.value][0])
+            return program.number({**CONSTANTS, **FORCE_UNITS}[tree.value][0])
         if tree.op == "axis":
             return tuple(program.number(one) for one in AXES[tree.value])
         if tree.op == "node":
@@ -294,8 +348,8 @@ class _Made:
             return self._drive(model.all_drives[tree.value])
         if tree.op == "quantity":
             return self.of(looked_up(model, model.quantities[tree.value].tree))
-        if tree.op == "rate":
-            at, several = self._rates[tree]
+        if tree.op in ("rate", "result"):
+            at, several = self._known[tree]
             return tuple(program.coordinate(at + c) for c in range(3)) if several else program.coordinate(at)
         given = [self.of(one) for one in tree.parts]
         if tree.op in FUNCTIONS:

@@ -285,7 +285,7 @@ class Mobility:
         lines += [f"  and {self.undriven - LINES} more mechanisms"] * (self.undriven > LINES)
         lines += [f"  self-stress {i + 1}: {text}" for i, text in enumerate(self.self_stress_texts(LINES))]
         lines += [f"  and {self.self_stress - LINES} more states of self-stress"] * (self.self_stress > LINES)
-        if soft := [one.text(self.system.dim) for one in self.system.inner.holdings if one.table != "couplings"]:
+        if soft := yielding(self.system):
             lines.append(f"not counted, since they yield or have a gap: supports {few(soft, LINES)}")
         return "\n".join(lines)
 
@@ -438,6 +438,11 @@ def afloat(model: Model) -> Fault | None:
     return Fault((), "no node is fixed, so that the structure moves as a whole.", "Name the nodes at its supports in 'fixed'.")
 
 
+def yielding(system: System) -> list[str]:
+    """Supports, with their directions, that hold nothing rigidly: springs, and gaps."""
+    return [one.text(system.dim) for one in system.inner.holdings if one.table != "couplings"]
+
+
 def underdriven(system: System) -> InputError:
     """The error of a mechanism that its drives do not hold, naming the nodes that move."""
     found = mobility_at(system, system.x0, beam_deformations)
@@ -454,7 +459,13 @@ def underdriven(system: System) -> InputError:
         float_on = "A structure that floats can be moved by its momentum in kinematics.follow and dynamics.simulate."
         return InputError(f"{free.message.capitalize()} {free.mend} {float_on}")
     moves = "; ".join(found.mechanism_texts(4))
+    mend = "Add a drive or a bar for each, or fix a node."
+    if soft := yielding(system):
+        mend = (
+            f"Not counted, since they yield or have a gap: supports {few(soft, LINES)}. A motion of drives does not say how "
+            "far. Hold them for it, or put a bar in place of each, which can have a stiffness in flexible analyses; "
+            "simulations and statics take them as they are."
+        )
     return InputError(
-        f"The drives leave {found.undriven} freedom{'s' if found.undriven != 1 else ''} of the mechanism: {moves}. "
-        "Add a drive or a bar for each, or fix a node."
+        f"The drives leave {found.undriven} freedom{'s' if found.undriven != 1 else ''} of the mechanism: {moves}. {mend}"
     )

@@ -37,6 +37,15 @@ class Cylinder(ElementRecord):
     """
 
     element: ClassVar[str] = "cylinder"
+    measured: ClassVar[dict[str, str]] = {
+        "thrust": "N",
+        "pressure_A": "Pa",
+        "pressure_B": "Pa",
+        "flow_A": "m^3/s",
+        "flow_B": "m^3/s",
+        "power": "W",
+    }
+    """Its results that expressions may name, with their units."""
     member: MemberName | None = None
     nodes: tuple[NodeName, NodeName] | None = None
     bore: PositiveLength

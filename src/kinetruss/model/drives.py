@@ -34,6 +34,8 @@ if TYPE_CHECKING:
     from kinetruss.model.data import ModelData
 
 
+_UNITS = {"length": "m, N and s", "angle": "rad, N m and s"}
+_ARTICLES = {"length": "a length", "angle": "an angle"}
 _UNIT = {"x": (1.0, 0.0, 0.0), "y": (0.0, 1.0, 0.0), "z": (0.0, 0.0, 1.0)}
 
 
@@ -235,11 +237,19 @@ class Coupling(Record):
     plane.
 
     terms : pairs of coordinate and factor.
-    value : of the sum, m or rad; by default that in the model.
+    value : of the sum, m or rad; by default that in the model. Of coordinates of both kinds the factors say which it is.
     """
 
     terms: Annotated[tuple[tuple[Measured, Number], ...], Field(min_length=1)]
-    value: Number | None = None
+    value: Coordinate | None = None
+
+    @model_validator(mode="after")
+    def _sound(self) -> Coupling:
+        kinds = {"angle" if turns(one) else "number" if one.kind == "cosine" else "length" for one, _ in self.terms}
+        if isinstance(self.value, Tagged) and self.value.quantity and self.value.quantity not in kinds:
+            wanted = {"angle": "rad or deg", "length": "m or mm"}.get(kinds.pop(), "a plain number")
+            raise ValueError(f"value has the unit of {_ARTICLES[self.value.quantity]}. Use {wanted}.")
+        return self
 
 
 def turns(drive: Any) -> bool:
@@ -296,7 +306,6 @@ Pose = GimbalPose
 
 # Springs: laws on a coordinate, with stiffness, damping, friction and play.
 
-_UNITS = {"length": "m, N and s", "angle": "rad, N m and s"}
 Points = Annotated[tuple[tuple[Number, Number], ...], Field(min_length=2)]
 
 
@@ -337,9 +346,7 @@ class ForceElement(ElementRecord):
             if isinstance(value, Tagged):
                 if value.quantity and self.coordinate is not None and value.quantity not in kinds:
                     kind = kinds.pop()
-                    raise ValueError(
-                        f"{name} has the unit of {'a length' if kind == 'angle' else 'an angle'}. Use {_UNITS[kind]}."
-                    )
+                    raise ValueError(f"{name} has the unit of {_ARTICLES[value.quantity]}. Use {_UNITS[kind]}.")
                 self.__dict__[name] = float(value)
 
 

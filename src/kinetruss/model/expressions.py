@@ -14,7 +14,9 @@ from typing import TYPE_CHECKING, Any, NamedTuple
 
 from kinetruss.errors import shown
 from kinetruss.kernels.coordinates.programs import angle, cosine, cross, dot, minus, root, size, unit
+from kinetruss.model.measured_forces import FUNCTIONS as OF_RESULTS, OF_SUPPORTS, ExpressionError, variable_of
 from kinetruss.model.words import nearest
+from kinetruss.units import dimension_of, parse, text_of
 
 if TYPE_CHECKING:
     from collections.abc import Iterator
@@ -31,7 +33,8 @@ LARGEST_POWER = 8
 class Tree(NamedTuple):
     """What an expression computes. op : ``number`` (value), ``name`` (value), ``add`` ``subtract`` ``multiply`` ``divide``
     ``power`` (value: the exponent) ``negate``, ``part`` (value: 0, 1 or 2), a function of `FUNCTIONS`, a kind of `KINDS`
-    (value: the name), ``rate``. text : as it is written.
+    (value: the name), ``rate``, ``named`` (value: the function, the table or None, the name),
+    ``result`` (value: a `Variable`). text : as it is written.
     """
 
     op: str
@@ -40,29 +43,19 @@ class Tree(NamedTuple):
     text: str = ""
 
 
-class ExpressionError(Exception):
-    """A fault of an expression: the message, and how to mend it."""
-
-    def __init__(self, message: str, mend: str) -> None:
-        super().__init__(f"{message} {mend}")
-        self.message, self.mend = message, mend
-
-
 class Kind(NamedTuple):
-    """What a tree measures: a vector or a number, of the unit m^length s^time rad^turn."""
+    """What a tree measures: a vector or a number, of the unit m^length s^time rad^turn kg^mass."""
 
     vector: bool = False
     length: Fraction = Fraction(0)
     time: Fraction = Fraction(0)
     turn: Fraction = Fraction(0)
+    mass: Fraction = Fraction(0)
 
     @property
     def unit(self) -> str:
         """SI unit, as text; empty for a plain number. Radians of a length are none: r times an angle is in m."""
-        turn = self.turn if not self.length or self.turn < 0 else Fraction(0)
-        above = [_to_power(name, p) for name, p in (("m", self.length), ("rad", turn), ("s", self.time)) if p > 0]
-        below = [_to_power(name, -p) for name, p in (("m", self.length), ("rad", turn), ("s", self.time)) if p < 0]
-        return "/".join([" ".join(above) or ("1" if below else ""), *below])
+        return text_of(self.mass, self.length, self.time, turn=self.turn)
 
     def times(self, other: Kind, sign: int = 1) -> Kind:
         """The kind of a product, or of a quotient."""
@@ -74,8 +67,10 @@ class Kind(NamedTuple):
         return Kind(self.vector, *(power * one for one in self[1:]))
 
 
-def _to_power(name: str, power: Fraction) -> str:
-    return name if power == 1 else f"{name}^{float(power):g}"
+def in_unit(text: str, vector: bool = False) -> Kind:
+    """The kind of what is measured in a unit."""
+    mass, length, time, _, turn = map(Fraction, dimension_of(text))
+    return Kind(vector, length, time, turn, mass)
 
 
 NUMBER, LENGTH, ANGLE = Kind(), Kind(length=Fraction(1)), Kind(turn=Fraction(1))
@@ -90,6 +85,10 @@ CONSTANTS: dict[str, tuple[float, Kind]] = {
     "mm": (1e-3, LENGTH),
     "s": (1.0, Kind(time=Fraction(1))),
 }
+FORCE_UNITS: dict[str, tuple[float, Kind]] = {
+    name: (parse(f"1 {name}", "measure"), in_unit(name)) for name in ("N", "kN", "Pa", "MPa", "bar", "W", "kW")
+}
+"""Constants that give way to a part of the model with their name."""
 AXES = {"ex": (1.0, 0.0, 0.0), "ey": (0.0, 1.0, 0.0), "ez": (0.0, 0.0, 1.0)}
 
 
@@ -136,7 +135,7 @@ def _angle_kind(_: Sequence[Kind]) -> Kind:
 
 def _plain(given: Sequence[Kind]) -> Kind:
     """A plain number of an angle or a plain number."""
-    if given[0].length or given[0].time:
+    if given[0].length or given[0].time or given[0].mass:
         raise ExpressionError(
             f"takes an angle or a plain number, not one in {given[0].unit}.", "Divide by a quantity of that unit."
         )
@@ -243,7 +242,7 @@ def _written(op: str, dim: int) -> str:
 
 def same_unit(a: Kind, b: Kind) -> None:
     """Raise ExpressionError if two units do not match; angles are plain numbers."""
-    if (a.length, a.time) != (b.length, b.time):
+    if (a.length, a.time, a.mass) != (b.length, b.time, b.mass):
         one, other = (kind.unit or "plain" for kind in (a, b))
         mend = "Give a plain number its unit, as in 0.3*m, 20*mm, 5*deg." if NUMBER in (a, b) else "Mend one of them."
         raise ExpressionError(f"puts together what is in {one} and what is in {other}.", mend)
@@ -313,18 +312,37 @@ def _call(node: ast.Call, own: str, below: Callable[..., tuple[Tree, ...]]) -> T
     """A function with its arguments."""
     name = node.func.id  # type: ignore[attr-defined]
     if name in KINDS:
-        one, more = (node.args[0], node.args[1:]) if node.args else (None, [])
-        named = one.id if isinstance(one, ast.Name) else one.value if isinstance(one, ast.Constant) else None
-        if more or not isinstance(named, str):
+        named = _named(node.args[0]) if len(node.args) == 1 else None
+        if named is None:
             raise ExpressionError(f"{own!r} names no {name}.", f"Write for example {name}(A).")
         return Tree(name, value=named, text=own)
+    if name in OF_RESULTS:
+        return _of_result(name, node, own, below)
     if name not in FUNCTIONS and name != "rate":
-        raise ExpressionError(f"has no function {name!r}.", nearest(name, [*FUNCTIONS, "rate", *KINDS]))
+        raise ExpressionError(f"has no function {name!r}.", nearest(name, [*FUNCTIONS, "rate", *OF_RESULTS, *KINDS]))
     if name == "rate" and len(node.args) != 1:
         raise ExpressionError(
             f"rate(...) takes one expression; it has {len(node.args)}.", "Write for example rate(angle(crank))."
         )
     return Tree(name, below(*node.args), text=own)
+
+
+def _named(node: Any) -> str | None:
+    """The name that stands for itself or in quotes; None for anything else."""
+    found = node.id if isinstance(node, ast.Name) else node.value if isinstance(node, ast.Constant) else None
+    return found if isinstance(found, str) else None
+
+
+def _of_result(name: str, node: ast.Call, own: str, below: Callable[..., tuple[Tree, ...]]) -> Tree:
+    """A force of a part: ``force(A)``, ``force(drive(A))``; of a support its component too: ``reaction(A, ex)``."""
+    one = node.args[0] if node.args else None
+    table = None
+    if isinstance(one, ast.Call) and isinstance(one.func, ast.Name) and len(one.args) == 1 and not one.keywords:
+        table, one = one.func.id, one.args[0]
+    if (part := _named(one)) is None or len(node.args) > (2 if name in OF_SUPPORTS else 1):
+        raise ExpressionError(f"{own!r} names no part.", f"Write for example {OF_RESULTS[name]}.")
+    found = Tree("named", value=(name, table, part), text=own)
+    return Tree("dot", (found, *below(node.args[1])), text=own) if len(node.args) == 2 else found
 
 
 def _finite(value: float, own: str) -> float:
@@ -361,6 +379,12 @@ def looked_up(model: ModelData, tree: Tree) -> Tree:
         if tree.value not in (known := _known(model)[tree.op]):
             raise ExpressionError(f"has no {tree.op} called {tree.value!r}.", nearest(tree.value, known))
         return tree
+    if tree.op == "named":
+        function, table, part = tree.value
+        read = Tree("result", value=variable_of(model, function, table, part), text=tree.text)
+        if function != "power" or read.value.axis != "drive":
+            return read
+        return Tree("multiply", (read, Tree("rate", (Tree("drive", value=part),))), text=tree.text)
     if tree.op != "name":
         return tree._replace(parts=tuple(looked_up(model, one) for one in tree.parts))
     known, name = _known(model), tree.value
@@ -377,6 +401,8 @@ def looked_up(model: ModelData, tree: Tree) -> Tree:
     if name in AXES:
         return Tree("axis", value=name, text=tree.text)
     if name in CONSTANTS:
+        return Tree("constant", value=name, text=tree.text)
+    if name in FORCE_UNITS:
         return Tree("constant", value=name, text=tree.text)
     every = [one for names in known.values() for one in names]
     raise ExpressionError(f"has no node, member, drive or quantity called {name!r}.", nearest(name, every))
@@ -401,7 +427,9 @@ def kind_of(model: ModelData, tree: Tree, inside: tuple[str, ...] = ()) -> Kind:
     if tree.op == "number":
         return NUMBER
     if tree.op == "constant":
-        return CONSTANTS[tree.value][1]
+        return {**CONSTANTS, **FORCE_UNITS}[tree.value][1]
+    if tree.op == "result":
+        return in_unit(tree.value.unit, tree.value.vector)
     if tree.op == "axis":
         return Kind(vector=True)
     if tree.op in ("node", "member"):
@@ -411,6 +439,10 @@ def kind_of(model: ModelData, tree: Tree, inside: tuple[str, ...] = ()) -> Kind:
     if tree.op == "quantity":
         return _of_quantity(model, tree.value, inside)
     given = [kind_of(model, one, inside) for one in tree.parts]
+    if tree.op == "rate" and (one := next(forces_in(model, tree.parts[0]), None)) is not None:
+        raise ExpressionError(
+            f"{tree.text!r} is the rate of {one.text!r}, which has none.", "Take rates of places, lengths and angles only."
+        )
     if tree.op in FUNCTIONS:
         try:
             return function_of(tree.op, given, model.dim).kind(given)
@@ -466,3 +498,12 @@ def walk(tree: Tree) -> Iterator[Tree]:
     yield tree
     for one in tree.parts:
         yield from walk(one)
+
+
+def forces_in(model: ModelData, tree: Tree) -> Iterator[Tree]:
+    """What a tree reads from forces, also in the quantities that it names; names looked up."""
+    for one in walk(tree):
+        if one.op == "result":
+            yield one
+        elif one.op == "quantity":
+            yield from forces_in(model, looked_up(model, model.quantities[one.value].tree))

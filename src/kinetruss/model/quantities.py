@@ -9,10 +9,21 @@ from typing import TYPE_CHECKING, Annotated, Any, ClassVar
 from pydantic import AfterValidator, Field, WithJsonSchema, model_validator
 
 from kinetruss.errors import Fault
-from kinetruss.model.expressions import DEEPEST, LONGEST, ExpressionError, Kind, Tree, kind_of, looked_up, read_expression, walk
-from kinetruss.model.record import Coordinate, Record
+from kinetruss.model.expressions import (
+    DEEPEST,
+    LONGEST,
+    Kind,
+    Tree,
+    forces_in,
+    in_unit,
+    kind_of,
+    looked_up,
+    read_expression,
+    walk,
+)
+from kinetruss.model.measured_forces import ExpressionError
+from kinetruss.model.record import Of, Record
 from kinetruss.model.references import LoadCaseNames
-from kinetruss.units import Tagged
 
 if TYPE_CHECKING:
     from kinetruss.model.data import ModelData
@@ -29,7 +40,7 @@ def _formula(text: str) -> str:
 Formula = Annotated[
     str, AfterValidator(_formula), WithJsonSchema({"type": "string", "minLength": 1, "maxLength": LONGEST}), Field(min_length=1)
 ]
-Limit = Coordinate | None
+Limit = Annotated[float, Of("measure")] | None
 
 
 class Quantity(Record):
@@ -38,13 +49,15 @@ class Quantity(Record):
     A plain text is enough: ``sweep: angle(rocker)``. A node is its place, a member the vector from its first to its second end,
     a drive its length or angle, and the name of a quantity that quantity; ``ex``, ``ey``, ``ez`` are the axes. Functions:
     ``length``, ``distance``, ``angle``, ``dot``, ``cross``, ``unit``, ``normal``, ``meet``, ``rate``, ``sqrt``, ``abs``,
-    ``sin``, ``cos``, ``tan``, ``asin``, ``acos``, ``atan``, ``atan2``. Angles count on over full turns. Plain numbers beside
-    lengths and angles get a unit: ``P.y - 20*mm``. A name that is no word of Python stands in quotes: ``distance("n-1", A)``.
+    ``sin``, ``cos``, ``tan``, ``asin``, ``acos``, ``atan``, ``atan2``. Angles count on over full turns. Forces, which a motion
+    alone does not have: ``force``, ``torque``, ``power``, ``reaction``, ``reaction_moment``; of a cylinder ``pressure_A``,
+    ``pressure_B``, ``thrust``, ``flow_A``, ``flow_B``. Plain numbers beside lengths, angles and forces get a unit:
+    ``P.y - 20*mm``. A name that is no word of Python stands in quotes: ``distance("n-1", A)``.
 
     value : the expression.
     words : what it is, for tables and pictures.
-    limits : least and largest value allowed, m, rad or a plain number; null for none. The verdict of a run checks
-    them.
+    limits : least and largest value allowed, a number in SI or with a unit (``80 kN``, ``200 bar``); null for none. The verdict
+    of a run checks them.
     load_cases : names of the load cases and combinations in which the limits apply, as those of a deflection in combinations
     of serviceability; the name of a standard means all of its combinations. By default all. In a motion that does not depend on
     loads they always apply.
@@ -106,24 +119,22 @@ def quantity_faults(model: ModelData) -> Iterator[Fault]:
         if kind.vector:
             mend = "Take a component, as in (B - A).x, its length, or an angle."
             yield Fault(path, f"{one.value!r} is a vector.", mend, about=about)
-        elif kind.unit not in ("m", "rad", ""):
-            if one.limits is not None and any(getattr(limit, "quantity", None) for limit in one.limits):
-                yield Fault(
-                    ("quantities", name, "limits"),
-                    f"have a unit, but {name!r} is in {kind.unit}.",
-                    "Give plain numbers in that unit.",
-                )
-        elif one.limits is not None:
-            meant = {"m": "length", "rad": "angle", "": None}[kind.unit]
-            for limit in one.limits:
-                if isinstance(limit, Tagged) and limit.quantity and limit.quantity != meant:
-                    has = f"is in {kind.unit}" if kind.unit else "has no unit"
-                    yield Fault(
-                        ("quantities", name, "limits"),
-                        f"has the unit of a {limit.quantity}, but {name!r} {has}.",
-                        "Mend one of them.",
-                    )
-                    break
+            continue
+        for limit in one.limits or ():
+            has = getattr(limit, "quantity", None) or ""
+            meant = {"length": "m", "angle": "rad"}.get(has, has)
+            if meant and in_unit(meant).unit != kind.unit:
+                said = f"has the unit of {_ARTICLES[has]}" if has in _ARTICLES else f"is in {meant}"
+                own = f"is in {kind.unit}" if kind.unit else "has no unit"
+                yield Fault(("quantities", name, "limits"), f"{said}, but {name!r} {own}.", "Mend one of them.")
+                break
 
 
-__all__ = ["DEEPEST", "Quantity", "kinds_of", "quantity_faults", "walk"]
+def needs_forces(model: ModelData, name: str) -> bool:
+    """True if a quantity is not known of a motion alone."""
+    return next(forces_in(model, looked_up(model, model.quantities[name].tree)), None) is not None
+
+
+_ARTICLES = {"length": "a length", "angle": "an angle"}
+
+__all__ = ["DEEPEST", "Quantity", "kinds_of", "needs_forces", "quantity_faults", "walk"]

@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING, Any, ClassVar
 from pydantic import model_validator
 
 from kinetruss.model.drives import ForceElement
-from kinetruss.model.record import Coordinate, Number, PositiveNumber, SpringStiffness
+from kinetruss.model.record import ContactDamping, Coordinate, PositiveNumber, SpringStiffness
 
 
 class Stop(ForceElement):
@@ -32,11 +32,11 @@ class Stop(ForceElement):
     """
 
     element: ClassVar[str] = "stop"
-    plain: ClassVar[tuple[str, ...]] = ("lower", "upper", "stiffness")
+    plain: ClassVar[tuple[str, ...]] = ("lower", "upper", "stiffness", "damping")
     lower: Coordinate | None = None
     upper: Coordinate | None = None
     stiffness: SpringStiffness
-    damping: Number = 0.0
+    damping: ContactDamping = 0.0
     exponent: PositiveNumber = 1.0
 
     @model_validator(mode="after")

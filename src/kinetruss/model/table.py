@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterable
+from dataclasses import fields
 from typing import Annotated, Any, NoReturn, TypeVar
 
 from pydantic import AfterValidator, BeforeValidator, Field, GetCoreSchemaHandler
@@ -36,6 +38,15 @@ def brief(value: Any) -> Any:
     return _Shown(f"({', '.join(map(repr, value[:3]))}, ..., {value[-1]!r}; {len(value):,} in all)")
 
 
+def missing(key: object, table: Iterable[object], more: str = "") -> KeyError:
+    """The error of a name that a table does not have: it offers the nearest. more : what else to say.
+
+    >>> missing("crnk", ["crank", "rocker"])
+    KeyError("'crnk' is not in this table. Did you mean 'crank'?")
+    """
+    return KeyError(" ".join(filter(None, [f"{shown(key)} is not in this table. {nearest(key, table)}", more])))
+
+
 class ReadOnly(dict[K, V]):
     """A dictionary that cannot be changed; ``|``, ``dict(...)`` and ``.copy()`` give plain ones that can.
 
@@ -58,7 +69,7 @@ model.with_(nodes=model.nodes | {...}).
         )
 
     def __missing__(self, key: object) -> NoReturn:
-        raise KeyError(f"{shown(key)} is not in this table. {nearest(key, self)}")
+        raise missing(key, self)
 
     __setitem__ = __delitem__ = __ior__ = _refuse
     clear = pop = popitem = setdefault = update = _refuse
@@ -92,3 +103,11 @@ Table = Annotated[dict[K, V], Field(max_length=MOST_ENTRIES), BeforeValidator(_p
 
 Filled = Annotated[dict[K, V], Field(min_length=1, max_length=MOST_ENTRIES), BeforeValidator(_plain), AfterValidator(ReadOnly)]
 """A table that is not empty."""
+
+
+def read_only(record: Any) -> None:
+    """Make read-only tables of the dictionaries in the fields of a dataclass: a wrong name then says which there are."""
+    for field in fields(record):
+        value = getattr(record, field.name)
+        if type(value) is dict:
+            object.__setattr__(record, field.name, ReadOnly(value))

@@ -17,7 +17,7 @@ from kinetruss.errors import InputError
 from kinetruss.kinematics.quantity_histories import quantities
 from kinetruss.model import nearest, turns
 from kinetruss.model.quantities import kinds_of
-from kinetruss.runs.quantity_limits import limits_of
+from kinetruss.runs.quantity_limits import entries, limits_of
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray
@@ -307,30 +307,29 @@ def quantity_rows(run: RunResult) -> list[dict[str, Any]]:
     status: dict[tuple[str, str], str] = {}
     for one in run.finding.quantities:
         status.setdefault((one.part, one.load_case), one.status)
-    for case, data in run.quantities.items():
+    for case, data, k, name in entries(run.model, run.quantities):
         timed = "time" in data.coords
         time = data["time"].values if timed else np.zeros(1)
-        for k, name in enumerate(map(str, data["quantity"].values)):
-            values = data["value"].values[:, k] if timed else data["value"].values[k : k + 1]
-            rates = data["rate"].values[:, k] if "rate" in data else np.full(len(values), np.nan)
-            kind, record, limits = kinds[name], run.model.quantities[name], limits_of(run.model, name, case)
-            found.append(
-                {
-                    "quantity": name,
-                    "words": record.words,
-                    "value": record.value,
-                    "unit": kind.unit,
-                    "rate_unit": kind._replace(time=kind.time - 1).unit,
-                    "load_case": case,
-                    "limits": None if limits is None else list(limits),
-                    "status": status.get((name, case), ""),
-                    "start": float(values[0]),
-                    "unknown": int(np.isnan(values).sum()),
-                    **_extreme("least", time, values, -values),
-                    **_extreme("largest", time, values, values),
-                    **_extreme("rate", time, rates, np.abs(rates)),
-                }
-            )
+        values = data["value"].values[:, k] if timed else data["value"].values[k : k + 1]
+        rates = data["rate"].values[:, k] if "rate" in data else np.full(len(values), np.nan)
+        kind, record, limits = kinds[name], run.model.quantities[name], limits_of(run.model, name, case)
+        found.append(
+            {
+                "quantity": name,
+                "words": record.words,
+                "value": record.value,
+                "unit": kind.unit,
+                "rate_unit": kind._replace(time=kind.time - 1).unit,
+                "load_case": case,
+                "limits": None if limits is None else list(limits),
+                "status": status.get((name, case), ""),
+                "start": float(values[0]),
+                "unknown": int(np.isnan(values).sum()),
+                **_extreme("least", time, values, -values),
+                **_extreme("largest", time, values, values),
+                **_extreme("rate", time, rates, np.abs(rates)),
+            }
+        )
     return found
 
 

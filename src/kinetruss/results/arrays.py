@@ -11,6 +11,8 @@ from typing import TYPE_CHECKING, Any, NamedTuple, cast
 
 import numpy as np
 
+from kinetruss.model import ReadOnly
+
 if TYPE_CHECKING:
     import xarray as xr
     from numpy.typing import NDArray
@@ -99,7 +101,7 @@ class Arrays:
     @cached_property
     def _columns(self) -> Columns:
         time = {} if self._time is None else {"time": variable(("time",), self._time, "s", "time")}
-        return {**self._axes.columns, **time, **self._data}
+        return ReadOnly({**self._axes.columns, **time, **self._data})
 
     @property
     def attrs(self) -> dict[str, Any]:

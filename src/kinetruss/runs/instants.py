@@ -13,6 +13,7 @@ from kinetruss.errors import AnalysisError, InputError
 from kinetruss.kinematics.motions import instants
 from kinetruss.model import Model
 from kinetruss.model.runs import STATIC
+from kinetruss.model.table import missing
 from kinetruss.runs.at_rest import along, standing
 from kinetruss.runs.plans import SIMULATED, Plan, followed, plan
 
@@ -174,7 +175,7 @@ class Later(Mapping[str, T]):
 
     def __getitem__(self, name: str) -> T:
         if name not in self._names:
-            raise KeyError(name)
+            raise missing(name, self._names)
         if name not in self._made:
             self._made[name] = self._make(name)
         return self._made[name]

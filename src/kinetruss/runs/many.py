@@ -22,6 +22,7 @@ from typing import Any, TypeVar
 from kinetruss.errors import InputError
 from kinetruss.io import MAX_SIZE
 from kinetruss.model import Model
+from kinetruss.model.table import missing, read_only
 from kinetruss.results import Row, Status
 from kinetruss.results.folder import check_target, clear, is_store, read_ledger
 from kinetruss.results.lock import check_unlocked, holding
@@ -130,7 +131,12 @@ class VariantRuns(Mapping[str, RunResult]):
     said: Mapping[str, str] = field(default_factory=dict)
 
     def __getitem__(self, name: str) -> RunResult:
+        if name not in self.status:
+            raise missing(name, self.status)
         return load(self.paths[name]) if name in self.paths else self.kept[name]
+
+    def __post_init__(self) -> None:
+        read_only(self)
 
     def __iter__(self) -> Iterator[str]:
         return iter(self.status)

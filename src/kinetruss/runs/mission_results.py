@@ -17,6 +17,7 @@ from kinetruss.errors import InputError, StoreError
 from kinetruss.model import Model, Run
 from kinetruss.model.load_cases import acting_cases
 from kinetruss.model.runs import MISSION
+from kinetruss.model.table import ReadOnly
 from kinetruss.results import Motion, Status, variable
 from kinetruss.results.lock import is_locked
 from kinetruss.results.store import Store, open_store
@@ -150,11 +151,8 @@ class MissionRun(RunResult):
     @property
     def findings(self) -> dict[str, str]:
         """Label of a pair -> why it cannot be, or what to know of it."""
-        return {
-            str(label): str(text)
-            for label, text in zip(self.pairs["label"].values, self.pairs["finding"].values, strict=True)
-            if text
-        }
+        labels, texts = (self.pairs[name].values.astype(str).tolist() for name in ("label", "finding"))
+        return ReadOnly({label: text for label, text in zip(labels, texts, strict=True) if text})
 
     @property
     def governing(self) -> int | None:

@@ -4,20 +4,26 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterator, Mapping
-from typing import TYPE_CHECKING, Any, Protocol
+from typing import TYPE_CHECKING, Any, NoReturn, Protocol
 
 import numpy as np
 
+from kinetruss.errors import shown
 from kinetruss.kinematics.quantity_histories import quantities
-from kinetruss.model import Model
+from kinetruss.model import Model, ReadOnly, nearest
 from kinetruss.model.load_cases import acting_cases
+from kinetruss.model.quantities import needs_forces
 from kinetruss.results.wide_tables import NOT_CHECKED, Row
 
 if TYPE_CHECKING:
     import xarray as xr
     from numpy.typing import NDArray
 
-    from kinetruss.results import Motion, Result
+    from kinetruss.results import Forces, Motion, Result
+
+
+ONE_MOTION = "one_motion"
+"""Attribute of the quantities of load cases that have the same motion."""
 
 
 class Ran(Protocol):
@@ -32,16 +38,53 @@ class Ran(Protocol):
     @property
     def statics(self) -> Mapping[str, Result]: ...  # noqa: D102
 
+    @property
+    def forces(self) -> Mapping[str, Forces]: ...  # noqa: D102
+
+
+class ByCase(ReadOnly[str, Any]):
+    """The quantities of each load case."""
+
+    __slots__ = ()
+
+    def __missing__(self, key: object) -> NoReturn:
+        if not self:
+            raise KeyError(f"{shown(key)}: the run has no quantities, or no good sample.")
+        case, names = next(iter(self)), next(iter(self.values()))["quantity"].values.astype(str).tolist()
+        if key in names:
+            raise KeyError(f"{shown(key)} is a quantity. Write run.quantities[{case!r}].value.sel(quantity={key!r}).")
+        raise KeyError(f"{shown(key)} is neither a load case nor a quantity. {nearest(key, [*self, *names])}")
+
 
 def quantities_of(run: Ran) -> dict[str, xr.Dataset]:
     """The quantities of a run by load case, as of `kinematics.quantities`; under ``all`` those of a motion that does not depend
-    on the case. Empty if the model defines none, or no sample is good.
+    on the case, if none of them needs forces. Empty if the model defines none, or no sample is good.
     """
     if not run.model.quantities or not run.motion.arrays["time"].values.size:
-        return {}
+        return ByCase({})
     # of linear statics and equilibria the positions are those under the loads of the case
-    own = {case: one for case, one in run.statics.items() if one.attrs.get("kind") in ("linear", "equilibrium")}
-    return {case: quantities(run.model, one) for case, one in (own or {"all": run.motion}).items()}
+    placed: dict[str, Result] = {
+        case: one for case, one in run.statics.items() if one.attrs.get("kind") in ("linear", "equilibrium")
+    }
+    if placed:
+        return ByCase({case: quantities(run.model, one, forces=run.forces.get(case)) for case, one in placed.items()})
+    loaded = run.forces if any(needs_forces(run.model, name) for name in run.model.quantities) else {}
+    return ByCase(
+        {
+            case: quantities(run.model, run.motion, forces=loaded.get(case)).assign_attrs({ONE_MOTION: 1})
+            for case in loaded or ("all",)
+        }
+    )
+
+
+def entries(model: Model, found: Mapping[str, xr.Dataset]) -> Iterator[tuple[str, xr.Dataset, int, str]]:
+    """Load case, dataset, place and name of quantities; of one motion those that do not depend on the case once, as ``all``."""
+    for case, data in found.items():
+        for k, name in enumerate(map(str, data["quantity"].values)):
+            if len(found) == 1 or ONE_MOTION not in data.attrs or needs_forces(model, name):
+                yield case, data, k, name
+            elif data is next(iter(found.values())):
+                yield "all", data, k, name
 
 
 def limits_of(model: Model, name: str, case: str) -> tuple[float | None, float | None] | None:
@@ -57,20 +100,21 @@ def limit_rows(model: Model, found: Mapping[str, xr.Dataset]) -> Iterator[Row]:
     Utilisation : of two limits the distance from their middle over half their range. Of a largest value above 0 or a least one
     below, the value over it, at least 0; of the others the limit over the value; of a limit 0, 0 or infinite.
     """
-    for case, data in found.items():
+    for case, data, k, name in entries(model, found):
+        if (limits := limits_of(model, name, case)) is None:
+            continue
         time = data["time"].values if "time" in data.coords else np.zeros(1)
-        for k, name in enumerate(map(str, data["quantity"].values)):
-            if (limits := limits_of(model, name, case)) is None:
-                continue
-            values = data["value"].values[:, k] if "time" in data.coords else data["value"].values[k : k + 1]
-            used, when = _used(values, *limits), f"{np.isnan(values).sum()} of {len(values)} samples"
-            if np.isnan(used).any():
-                yield _row(data, k, case, note=f"{NOT_CHECKED}its value is not known at {when}")
-            if not np.isnan(used).all():
-                at = int(np.nanargmax(used))
-                yield _row(
-                    data, k, case, float(used[at]), float(values[at]), limits, float(time[at]) if len(time) > 1 else math.nan
-                )
+        values = data["value"].values[:, k] if "time" in data.coords else data["value"].values[k : k + 1]
+        used, why = _used(values, *limits), f"its value is not known at {np.isnan(values).sum()} of {len(values)} samples"
+        if np.isnan(used).any():
+            if np.isnan(used).all() and needs_forces(model, name):
+                why = "it needs forces that the run does not have"
+            yield _row(data, k, case, note=f"{NOT_CHECKED}{why}")
+        if not np.isnan(used).all():
+            at = int(np.nanargmax(used))
+            yield _row(
+                data, k, case, float(used[at]), float(values[at]), limits, float(time[at]) if len(time) > 1 else math.nan
+            )
 
 
 def unchecked_rows(model: Model, why: str) -> Iterator[Row]:

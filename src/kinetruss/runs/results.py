@@ -16,6 +16,7 @@ from kinetruss.errors import StoreError
 from kinetruss.io.earlier import without_inner_parts
 from kinetruss.mechanics import compile
 from kinetruss.model import Event, Model, Run
+from kinetruss.model.table import read_only
 from kinetruss.results import Demand, Forces, Motion, Result, Sections, Simulation, Status, Verdict
 from kinetruss.results.dynamic_records import happened
 from kinetruss.results.lock import is_locked
@@ -69,6 +70,9 @@ class RunResult:
 
     counts: ClassVar[str] = "samples"
     holds: ClassVar[tuple[str, ...]] = ("motion", "forces", "sections", "verdict", "demand", "statics", "simulation")
+
+    def __post_init__(self) -> None:
+        read_only(self)
 
     def __repr__(self) -> str:
         """The name, how it ended, the verdict, and what it holds."""

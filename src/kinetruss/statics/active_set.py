@@ -210,6 +210,22 @@ def _searched(
     raise AnalysisError(f"It was not found which of {among} pull or press under this load. See statics.equilibrium.")
 
 
+def changed(held: System, x: NDArray[np.float64], flexible: NDArray[np.float64], e: NDArray[np.float64]) -> tuple[str, ...]:
+    """Cables, stops and supports that elongations e (rows,) m of the rows from positions x (n, 3) tighten or slacken, so that
+    they do not keep the flexibility that they have there.
+    """
+    kinks = kinks_of(held, x, flexible)
+    if not len(kinks.row):
+        return ()
+    to = e[kinks.row]
+    far = PULLS * float(np.abs(e).max(initial=0.0))
+    on, state = np.isfinite(flexible[kinks.row]), kinks.before
+    gone = on & (((state > 0) & (to < kinks.upper - far)) | ((state < 0) & (to > kinks.lower + far)))
+    come = ~on & ((to > kinks.upper + far) | (to < kinks.lower - far))
+    rows = kinks.row[gone | come]
+    return tuple(dict.fromkeys(held.part_of(r) for r in rows))
+
+
 def _slack(held: System, rows: NDArray[np.int64]) -> tuple[str, ...]:
     """Members, springs and stops of the user that carry nothing; those of supports are listed by themselves."""
     names: Sequence[str] = [held.row_name(r) for r in rows]

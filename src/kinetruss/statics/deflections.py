@@ -10,7 +10,7 @@ import numpy as np
 import xarray as xr
 
 from kinetruss.dynamics.least_norm import apply_loads
-from kinetruss.errors import InputError
+from kinetruss.errors import InputError, few
 from kinetruss.kernels.structure.structure import LENGTH, EndForces, States
 from kinetruss.kinematics import platform_jacobian
 from kinetruss.kinematics.own_motion import check_motion
@@ -23,6 +23,7 @@ from kinetruss.mechanics.transfer import displacements, flat_positions
 from kinetruss.model import Model, nearest
 from kinetruss.model.data import ELEMENT_FIELDS
 from kinetruss.results import Forces, Motion, Result, provenance, variable
+from kinetruss.statics.active_set import changed
 from kinetruss.statics.small_displacements import flexibility, loads_at, solve, stiff_rows
 from kinetruss.threads import one_thread
 
@@ -52,7 +53,8 @@ def deflection(model: Model, forces: Forces) -> Deflection:
 
     Raises
     ------
-    InputError : forces of another model; freedoms that no drive holds; redundant inextensible bars.
+    InputError : forces of another model; freedoms that no drive holds; redundant inextensible bars; cables, stops or supports
+        that the deflection tightens or slackens.
 
     Notes
     -----
@@ -156,6 +158,11 @@ def _stiffly(
     for i in range(len(x)):
         solved = solve(held, x[i].reshape(-1, 3), flexible[i], load[i])
         u[i], e[i], bent[i] = solved.displacement, solved.elongation, 0.5 * solved.displacement @ solved.inner
+        if names := changed(held, x[i].reshape(-1, 3), flexible[i], e[i]):
+            raise InputError(
+                f"At sample {i} the deflection tightens or slackens {few(names, 6)}, while a deflection takes what pulls or "
+                "presses as it is in the rigid motion. Take statics.linear, statics.equilibrium or flexible.simulate for it."
+            )
         if max(solved.errors) > max(worst):
             worst, at = solved.errors, i
     said = accuracy_note(held.with_rows(np.isfinite(flexible[at])), x[at].reshape(-1, 3), *worst) if len(x) else ""

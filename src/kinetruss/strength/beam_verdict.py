@@ -30,8 +30,8 @@ BENT = "not checked: a bent link buckles with the whole structure, by an analysi
 STABILITY = "not checked: a beam buckles with the whole structure, by an analysis of its own (statics.buckling)"
 BARE = "not checked: no section, or no material"
 UNKNOWN = (
-    "not checked: the positions are not those of a structure in balance, so beams have no forces; an equilibrium has them "
-    "(in the model file: statics.equilibrium)"
+    "not checked: the positions are not those that the loads bend it to, and balance alone does not decide the forces of a "
+    "redundant structure; elastic statics has them (in the model file: statics.linear or statics.equilibrium)"
 )
 
 
