@@ -161,7 +161,7 @@ def _conventional(q: Any, at: dict[str, Any]) -> dict[str, Any]:
     }
     couplings = {
         f"slide.{name}": Coupling(
-            terms=tuple((DistanceCoordinate(nodes=tuple(pair)), sign) for pair, sign in zip(two, (1, -1), strict=True))
+            terms=tuple((DistanceCoordinate(nodes=(pair[0], pair[1])), sign) for pair, sign in zip(two, (1, -1), strict=True))
         )
         for name, two in equal.items()
     }

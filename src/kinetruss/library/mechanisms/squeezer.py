@@ -156,7 +156,7 @@ def _conventional(nodes: dict[str, Any], places: Mapping[str, complex]) -> dict[
         beams[name] = Beam(ends=ends, kind="rigid", rotation=angle, mass=0.0, release=ends)
 
     for name, body in BODIES.items():
-        first, second = name
+        first, second = name[0], name[1]
         way = places[second] - places[first]
         angle = "beta" if name == "OF" else f"{name}.angle"
         nodes[angle] = Node(at=(cmath.phase(way), 0.0), scalar=True, mass=body.inertia)
