@@ -27,7 +27,7 @@ OWN_TOLERANCES = (1e-6, 1e-7, 3e-8, 1e-8, 3e-9, 1e-9, 1e-10)
 STEWART = {"mass": 12.0, "leg": 1.0, "push": 40.0, "t_end": 0.5}
 PLATFORM = ("P1", "P2", "P3", "P4", "P5", "P6", "Q")
 PEERS = ("pinocchio", "mujoco")
-CASES = ("models", "delta_path", "stewart_path", "robot_forward", "stewart_forward", "solid")
+CASES = ("models", "conventional", "delta_path", "stewart_path", "robot_forward", "stewart_forward", "solid")
 
 
 def main() -> None:
@@ -72,15 +72,15 @@ def _row(case: str, *, us=None, seconds=None, error=None, ratio=None) -> dict:
     return {"case": case} | {key: None if value is None else float(value) for key, value in values.items()}
 
 
-def _in_turn(runs: dict, rounds: int) -> dict[str, float]:
+def _in_turn(runs: dict, rounds: int, clock=time.perf_counter) -> dict[str, float]:
     """Median seconds of each, after one run of each that counts for nothing; they take turns."""
     times: dict[str, list[float]] = {name: [] for name in runs}
     for turn in range(rounds + 1):
         for name, run in runs.items():
-            began = time.perf_counter()
+            began = clock()
             run()
             if turn:
-                times[name].append(time.perf_counter() - began)
+                times[name].append(clock() - began)
     return {name: statistics.median(found) for name, found in times.items()}
 
 
@@ -154,6 +154,71 @@ def _models(options) -> list[dict]:
     for (case, seconds), error in zip(_in_turn(chosen, options.rounds).items(), errors.values(), strict=True):
         rows.append(_row(f"models, {case}", seconds=seconds, error=error))
     return rows + [_row(f"models, {name}: rtol 1e-11", error=float(make(1e-11)())) for name, make in made.items()]
+
+
+def _conventional(options) -> list[dict]:
+    """Each mechanism as bars, and as rigid beams with rotations, in turn; processor time. Along one motion of the drives
+    (`follow`, `inverse`), simulated to `WANTED`, and an evaluation of such a simulation by each solver, all by DOP853.
+    `error`: largest difference of the models along the motion, relative, and of the end from a run at 1e-12, m. `ratio`: time
+    of the conventional model over that of the bars.
+    """
+    import kinetruss as kt
+    from kinetruss.library import mechanisms
+
+    crank = kt.Quintic(moves={"motor": (-0.0617138900142764, 6.0)}, duration=0.03)
+    motor = {"motor": kt.GivenForce(torque=mechanisms.ANDREWS_TORQUE)}
+    pushes = {"lift": kt.GivenForce(3550.0), "reach": kt.GivenForce(-80.0)}
+    turns = {"swing": 60.0, "shoulder": -60.0, "wrist": 78.0}
+    tasks = {"robot": pushes | {name: kt.GivenForce(torque=torque) for name, torque in turns.items()}, "andrews": motor}
+    rows = []
+    for name, t_end in (("andrews", 0.03), ("robot", 0.8), ("delta", 0.15)):
+        models = {form: getattr(mechanisms, name)(form=form) for form in ("bars", "conventional")}
+        path = crank if name == "andrews" else models["bars"].runs["move"].trajectory
+        given = tasks.get(name, dict.fromkeys(models["bars"].all_drives, kt.Free()))
+        motions = {form: kt.kinematics.follow(model, path, samples=SAMPLES) for form, model in models.items()}
+        forces = [kt.dynamics.inverse(models[form], motions[form], static=False).drive_force.values for form in models]
+        common = [node for node in models["bars"].nodes if node in models["conventional"].nodes]
+        at = {form: [list(model.whole.nodes).index(node) for node in common] for form, model in models.items()}
+
+        def prepared(form, rtol, solver="auto", models=models, given=given, t_end=t_end):
+            method = kt.DOP853(rtol=rtol, atol=0.01 * rtol, solver=solver)
+            run = kt.dynamics.prepare(models[form], t_end, tasks=given, method=method)
+            return lambda: run.run(t_end)
+
+        exact = prepared("bars", 1e-12)().position[-1][at["bars"]]
+        runs, errors, counts = {}, {}, {}
+        for form, model in models.items():
+            runs["follow", form] = lambda model=model, path=path: kt.kinematics.follow(model, path, samples=SAMPLES)
+            runs["inverse", form] = lambda model=model, motion=motions[form]: kt.dynamics.inverse(model, motion, static=False)
+            for rtol in OWN_TOLERANCES:
+                run = prepared(form, rtol)
+                if (error := float(np.abs(run().position[-1][at[form]] - exact).max())) <= WANTED:
+                    runs[f"simulate to {WANTED:g}", form], errors[f"simulate to {WANTED:g}", form] = run, error
+                    break
+            for solver in ("dense", "sparse", "sweep"):
+                try:
+                    run = prepared(form, 1e-8, solver)
+                except kt.errors.InputError:
+                    continue  # not for couplings
+                runs[f"evaluation, {solver}", form], counts[f"evaluation, {solver}", form] = run, run().evaluations
+        places = [motion.position.sel(node=common).values for motion in motions.values()]
+        for what, (one, other) in (("follow", places), ("inverse", forces)):
+            errors[what, "conventional"] = np.abs(other - one).max() / np.abs(one).max()
+        seconds = _in_turn(runs, options.rounds, time.process_time)
+        for key, time_of in seconds.items():
+            what, form = key
+            each = time_of / counts.get(key, SAMPLES)
+            same = seconds.get((what, "bars"))
+            rows.append(
+                _row(
+                    f"{name}, {form}: {what}",
+                    us=None if what.startswith("simulate") else 1e6 * each,
+                    seconds=time_of,
+                    error=errors.get(key),
+                    ratio=None if form == "bars" else each * counts.get((what, "bars"), SAMPLES) / same,
+                )
+            )
+    return rows
 
 
 def _delta_path(options) -> list[dict]:

@@ -88,6 +88,15 @@ def test_andrews_with_a_beam_has_nine_bars_and_the_motion_of_the_other_form():
     assert_allclose(other.position.sel(node="beta", axis="x"), np.unwrap(np.arctan2(*crank.T[::-1])), atol=1e-6)
 
 
+def test_andrews_in_the_conventional_form_has_eleven_beams_and_31_coordinates():
+    ten, eleven = (mechanisms.andrews(form=form, torque=0.05, duration=0.02) for form in ("bars", "conventional"))
+    assert (len(eleven.beams), len(eleven.bars)) == (11, 1)
+    assert sum(1 if node.scalar else 2 for node in eleven.nodes.values()) == 31
+    assert sum(len(axes) for axes in eleven.fixed.values()) == 8
+    one, other = (kt.run(model, "spin").motion for model in (ten, eleven))
+    assert_allclose(other.position.sel(node=list(ten.nodes)), one.position, atol=1e-8)
+
+
 # What the structure can be: Lacy.
 
 

@@ -352,6 +352,17 @@ def test_beyond_half_a_turn_is_refused():
         kt.dynamics.prepare(model, 1.0).run(1.0, samples=50)
 
 
+def test_a_constant_moment_over_half_a_turn_is_named_where_the_energy_jumps():
+    arm = kt.Model(
+        nodes={"O": (0, 0), "A": kt.Node(at=(1, 0), mass=1.0)}, fixed=["O"], bars={"arm": kt.Bar(ends=("O", "A"), mass=0)},
+        springs={"coil": kt.Spring(coordinate=kt.AngleDrive("arm"), preload=-2.0)},
+    )  # fmt: skip
+    with pytest.raises(kt.AnalysisError, match="Spring 'coil' passes half a turn from its rest") as told:
+        kt.dynamics.simulate(arm, 4.0, samples=41)
+    # a = M t^2/(2 m l^2) is half a turn at sqrt(pi) s
+    assert told.value.result.motion.data.time.values[-1] == pytest.approx(np.sqrt(np.pi), abs=0.1)
+
+
 def test_a_wide_swing_told_by_few_samples_is_none_beyond_half_a_turn():
     run = kt.dynamics.simulate(pendulum(2.9), 3.0, samples=4)
     assert run.status.ok

@@ -236,3 +236,19 @@ def test_a_parallelogram_does_not_change_to_its_crossed_form_in_silence(turn, sa
     assert motion.status in (kt.Status.SINGULAR, kt.Status.OUT_OF_REACH) and 1 < len(motion.position.time) < samples
     B, C = (motion.position.sel(node=name).values for name in "BC")
     np.testing.assert_allclose(C - B, np.tile((1.0, 0.0), (len(B), 1)), atol=1e-9)
+
+
+def test_a_link_is_as_near_to_a_singular_position_as_a_bar_in_its_place():
+    """A garage door on an arm, its top in a level track: the measure is that of the track, sqrt(1 - (1 + cos a)^2/4)."""
+    door = kt.Model(
+        nodes={"P": (0, 1.4), "B": (0, 0), "M": (0, 0.7), "T": (0, 2.1)}, fixed={"P": "xy", "T": "y"},
+        bars={"arm": kt.Bar(ends=("P", "M"), mass=0)}, links={"door": kt.Link(nodes=("B", "M", "T"), mass=60)},
+        drives={"lift": kt.AngleDrive("arm")}, gravity=(0, -9.81),
+    )  # fmt: skip
+    lift = kt.Quintic(moves={"lift": ("-80 deg", "0 deg")}, duration=1.0)
+    motion = kt.kinematics.follow(door, lift, samples=5)
+    a = motion.drive_position.values[:, 0] + np.pi / 2
+    np.testing.assert_allclose(motion.singularity, np.sqrt(1 - (1 + np.cos(a)) ** 2 / 4), rtol=1e-10)
+    np.testing.assert_allclose(kt.dynamics.inverse(door, motion).drive_force[-1], 60 * 9.81 * 0.525, rtol=1e-12)
+    with pytest.raises(kt.errors.InputError, match=r"The drives leave 1 freedom of the mechanism: T moves along x"):
+        kt.kinematics.follow(door, kt.Quintic(moves={"lift": ("-90 deg", "0 deg")}, duration=1.0), samples=5)

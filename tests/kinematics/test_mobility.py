@@ -96,3 +96,18 @@ def test_flat_arrangements_are_told_from_mechanisms_that_go_on():
     assert (parallel.self_stress, parallel.second_order) == (0, (False,))
     doubled = kt.kinematics.mobility(kt.Model(nodes=cranks, fixed=["A", "B", "C"], bars=links | {"pr": ("P", "R")}))
     assert (doubled.self_stress, doubled.second_order) == (1, (False,))  # redundant, and yet it turns
+
+
+def test_a_frame_of_rigid_beams_counts_as_one_rotation():
+    """Two beams welded at B: three places and a rotation; each beam takes two, the support two of the seven."""
+    beams = {name: kt.Beam(ends=tuple(name), kind="rigid", mass=1.0) for name in ("AB", "BC")}
+    corner = kt.Model(nodes={"A": (0, 0), "B": (1, 0), "C": (1, 1)}, fixed=["A"], beams=beams)
+    found = kt.kinematics.mobility(corner)
+    assert (found.coordinates, found.fixed, found.bars, found.rank, found.degrees_of_freedom) == (7, 2, 4, 4, 1)
+    # in space on a clamp by a hinge: two rotations, one beam with three, the hinge with two
+    door = kt.Model(
+        nodes={"A": (0, 0, 0), "B": (1, 0, 0)}, clamped=["A"],
+        beams={"door": kt.Beam(ends=("A", "B"), kind="rigid", mass=1.0, hinges={"A": (0, 0, 1)})},
+    )  # fmt: skip
+    found = kt.kinematics.mobility(door)
+    assert (found.coordinates, found.fixed, found.rank, found.degrees_of_freedom) == (9, 3, 5, 1)

@@ -32,6 +32,24 @@ def test_counts_of_the_paper():
     assert counts(mechanisms.robot()) == (53, 63, 7, 51, 5)
 
 
+def test_conventional_models_have_the_coordinates_and_fall_as_the_bars():
+    """Rotations as coordinates: a start with speed, drives free or pushed, places of the nodes that both models have."""
+    rates, push = (-0.3, 0.8, 0.5, 0.2, -1.0), {"lift": kt.GivenForce(3550.0), "wrist": kt.GivenForce(torque=78.0)}
+    free = {"delta": {}, "robot": {"rates": rates}}
+    for name, places, rotations in (("delta", 19, 7), ("robot", 11, 5)):
+        bars, beams = (getattr(mechanisms, name)(form=form, **free[name]) for form in ("bars", "conventional"))
+        found = kt.kinematics.mobility(beams)
+        assert (len(beams.nodes), found.coordinates) == (places, 3 * places + 3 * rotations)
+        assert (found.degrees_of_freedom, found.undriven, found.self_stress) == (len(beams.all_drives), 0, 0)
+        tasks = dict.fromkeys(beams.all_drives, kt.Free()) | (push if name == "robot" else {})
+        method = kt.DOP853(rtol=1e-11, atol=1e-13)
+        runs = [kt.dynamics.simulate(model, 0.1, samples=3, tasks=tasks, method=method).motion for model in (bars, beams)]
+        common = [node for node in bars.nodes if node in beams.nodes]
+        one, other = (run.position.sel(node=common).values for run in runs)
+        assert np.abs(one[-1] - one[0]).max() > 0.04
+        assert np.abs(other - one).max() < 1e-9
+
+
 @pytest.mark.slow
 @given(at=PLACE)
 @settings(max_examples=20)

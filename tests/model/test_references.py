@@ -270,3 +270,13 @@ def test_every_field_that_names_entries_is_tried():
         if refers(field.annotation) or any(isinstance(mark, Ref) for mark in field.metadata)
     }
     assert asked - {(name.replace("Model", "ModelData"), field) for name, field in tried} == set()
+
+
+def test_the_angle_of_a_beam_is_that_of_its_chord():
+    beam = {"nodes": {"A": (0, 0), "B": (1, 0)}, "fixed": ["A"], "gravity": (0, -9.81)}
+    beam["beams"] = {"arm": kt.Beam(ends=("A", "B"), kind="rigid", mass=3.0)}
+    with pytest.raises(kt.ModelError, match=r"'arm' is a beam: name the line between its ends, 'arm\.chord'"):
+        kt.Model(**beam, drives={"turn": kt.AngleDrive("arm")})
+    model = kt.Model(**beam, drives={"turn": kt.AngleDrive("arm.chord")})
+    motion = kt.kinematics.follow(model, kt.Quintic(moves={"turn": (0, 1)}, duration=1.0), samples=3)
+    assert kt.dynamics.inverse(model, motion).drive_force[0].item() == pytest.approx(3.0 * 9.81 / 2)

@@ -288,6 +288,19 @@ def test_andrews_crank_with_a_rotation_coordinate():
         assert float(by_beam["first"].sel(node="beta", axis="x").item()) == pytest.approx(1.0)
 
 
+def test_the_inertia_of_a_rotation_has_no_weight():
+    """Gravity along x on a crank that points up: a = -m g l/(m l^2 + I), whatever I is held by the rotation."""
+    mass, length, inertia, g = 2.0, 0.5, 0.3, 9.81
+    crank = kt.Model(
+        nodes={
+            "O": (0, 0), "F": kt.Node(at=(0, length), mass=mass), "b": kt.Node(at=(np.pi / 2, 0), scalar=True, mass=inertia),
+        },
+        fixed=["O"], beams={"OF": kt.Beam(ends=("O", "F"), kind="rigid", rotation="b", mass=0)}, gravity=(g, 0),
+    )  # fmt: skip
+    start = kt.dynamics.simulate(crank, 1e-3, samples=2).motion.acceleration[0].sel(node="b", axis="x").item()
+    assert start == pytest.approx(-mass * g * length / (mass * length**2 + inertia), rel=1e-12)
+
+
 def test_fault_of_a_bar_to_a_scalar():
     with pytest.raises(kt.ModelError, match="joins a scalar"):
         kt.Model(nodes={"A": (0, 0), "s": kt.Node(at=(1, 0), scalar=True)}, bars={"b": ("A", "s")})

@@ -15,7 +15,7 @@ from kinetruss.kernels.solve.accelerations import evaluate
 from kinetruss.kernels.solve.kkt import balance
 from kinetruss.kernels.structure.structure import CABLE, NONE
 from kinetruss.mechanics import System
-from kinetruss.mechanics.elements import element_forces, has_elements, named_laws
+from kinetruss.mechanics.elements import element_forces, has_elements, named_laws, turned_over
 from kinetruss.model import DOP853, ERROR_CONTROLLED, EnergyMomentum, GeneralizedAlpha, Radau, Taylor
 from kinetruss.results import Status
 
@@ -132,13 +132,19 @@ def _stepped_over(work: Integration) -> str:
     return f"{words[0].upper()}{words[1:]}."
 
 
+def _state(work: Integration) -> tuple[Floats, Floats]:
+    """Flat positions and velocities (3 n,) of the last good state."""
+    problem, y = work.problem, work.memory.y
+    nf = len(problem.eq.free)
+    x, v = problem.x0.copy(), problem.v0.copy()
+    x[problem.eq.free], v[problem.eq.free] = y[0, :nf], y[0, nf : 2 * nf]
+    return x, v
+
+
 def _culprit(work: Integration) -> str:
     """The quantity that is not finite."""
     t, memory, problem = float(work.memory.t), work.memory, work.problem
-    nf = len(problem.eq.free)
-    x, v = problem.x0.copy(), problem.v0.copy()
-    x[problem.eq.free], v[problem.eq.free] = memory.y[0, :nf], memory.y[0, nf : 2 * nf]
-    push = problem.user.at(t + max(float(memory.h), 0.0), x, v)
+    push = problem.user.at(t + max(float(memory.h), 0.0), *_state(work))
     bad = np.flatnonzero(~np.isfinite(push).reshape(-1, 3).all(axis=1))
     if len(bad):
         return f"The user's force on {problem.system.nodes[int(bad[0])]} is {push[3 * int(bad[0]) :][:3]}"
@@ -146,6 +152,11 @@ def _culprit(work: Integration) -> str:
 
 
 def _growing(work: Integration) -> str:
+    if name := turned_over(work.problem.system, *_state(work), ahead=max(float(work.memory.h), 0.0)):
+        return (
+            f"{name} passes half a turn from its rest, where its law, or its energy, would jump. "
+            "Give another rest, or end the run before"
+        )
     method = work.problem.method
     chosen = isinstance(method, DOP853 | Taylor) and method.step is None
     mend = "tighten rtol and atol" if chosen else "use a smaller step, or EnergyMomentum"

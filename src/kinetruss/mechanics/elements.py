@@ -51,6 +51,25 @@ def named_motions(system: System, x: NDArray[np.float64], v: NDArray[np.float64]
     return Histories(*(one[:, first:] for one in scalar_motions(system, x, v)))
 
 
+EDGE = 0.02
+"""Angle before half a turn, rad, at which an element has come to it."""
+
+
+def turned_over(system: System, x: NDArray[np.float64], v: NDArray[np.float64], ahead: float) -> str:
+    """The element on an angle that comes to half a turn from its rest within a time `ahead`, s, as ``Spring 's'``; or ''."""
+    period, every = system.measure_period[system.force_element_measure], on_coordinates(system)
+    if every is None or not np.any(period):
+        return ""
+    first = spans_of(system)["friction"].stop
+    found = named_motions(system, x, v)
+    left = 0.5 * period - np.abs(found.value[0] - every.rest[first:])
+    near = np.flatnonzero((period > 0.0) & (left <= np.maximum(EDGE, np.abs(found.rate[0]) * ahead)))
+    if not len(near):
+        return ""
+    name = system.force_elements[int(near[0])]
+    return f"{system.model.force_elements[name][0].capitalize()} {name!r}"
+
+
 def refuse_turns(system: System, t: NDArray[np.float64], x: NDArray[np.float64], v: NDArray[np.float64]) -> None:
     """Refuse motions x, v (times, 3 n) of angles beyond half a turn from the rest of an element, where its law would jump.
 

@@ -51,7 +51,12 @@ def gathered(model: WholeModel) -> tuple[Joined, Numbers]:
     measures, of_measures = measures_of(model, index)
     sheets, of_sheets = sheets_of(model, index, matter)
     rows = rows_of(model, index, members.fields["kind"], measures.fields["drive_measure"])
-    weighed = {i: node.gravity for i, node in enumerate(model.nodes.values()) if node.gravity is not None}
+    # a scalar has no direction in which it could have a weight, and its mass may be a moment of inertia
+    weighed = {
+        i: node.gravity or (0.0,) * model.dim
+        for i, node in enumerate(model.nodes.values())
+        if node.gravity is not None or node.scalar
+    }
     moving = {index[name]: vector for name, vector in model.velocities.items()}
     dim, count = model.dim, len(index)
     ends = chain.from_iterable(member.ends for member in model.members.values())

@@ -21,6 +21,7 @@ from kinetruss.mechanics.system import System, compile
 from kinetruss.model import CoordinateDrive, Model
 from kinetruss.model.beam_checks import SPIN
 from kinetruss.model.beam_frames import line_advice, owner_of
+from kinetruss.model.joints import GROUND
 from kinetruss.threads import one_thread
 
 if TYPE_CHECKING:
@@ -368,8 +369,23 @@ def mobility_at(
     places = np.array([system.node_index(name) for name in inner.nodes], np.int64)
     loose = int((~system.prescribed.reshape(-1, 3)[places, :dim]).sum())
     length = own[: len(system.row_kind)] & (system.row_kind == LENGTH)
-    added = [name in inner.bars and any(end in inner.nodes for end in one.ends) for name, one in system.model.members.items()]
+    framed = {node for frame in inner.frames.values() for node in frame.nodes} | {hinge.node for hinge in inner.hinges}
+    rest = inner.nodes.keys() - framed
+    added = [name in inner.bars and any(end in rest for end in one.ends) for name, one in system.model.members.items()]
     bars = int((length & np.array(added, np.bool_)[system.row_member]).sum())
+    # a frame that moves by itself is one rotation in the plane, three in space; what else holds at it counts as bars
+    free = {
+        name
+        for name, held in zip(system.nodes, system.prescribed.reshape(-1, 3)[:, :dim].tolist(), strict=True)
+        if not all(held)
+    }
+    own_turns = [
+        name
+        for name, frame in inner.frames.items()
+        if free.intersection(frame.nodes) and system.model.clamped.get(name, GROUND) == GROUND
+    ]
+    spots = np.array([system.node_index(name) for name in framed], np.int64)
+    bars += int((~system.prescribed.reshape(-1, 3)[spots, :dim]).sum()) - len(own_turns) * dim * (dim - 1) // 2
     # of inner couplings those of a rotation go with a scalar, which is the user's
     turned = {name for name, owner in inner.couplings.items() if owner.table == "hubs" or name.endswith(SPIN)}
     couplings = sum(name in turned for name in system.row_names)

@@ -160,12 +160,12 @@ def part_arrays(system: System, row: NDArray[np.int64], ptr: NDArray[np.int64], 
     sizes, size_ptr, hands, hand_ptr = list[tuple[int, int]](), [0], list[tuple[int, ...]](), [0]
     block_ptr = [0]
     for b in range(len(ptr) - 1):
-        own = set(col[ptr[b] : ptr[b + 1]].tolist())
+        own, open_ = (set(col[ptr[b] : end].tolist()) for end in (ptr[b + 1], None))
         for part in parts:
             mine = [k for k in range(ptr[b], ptr[b + 1]) if ends[k] and ends[k] <= part.nodes]
-            outside = sum(3 * n + axis not in own for n in part.nodes for axis in range(system.dim))
+            known = sum(3 * n + axis not in open_ for n in part.nodes for axis in range(system.dim))
             # a part of which more is known than all but one of the freedoms of a similarity keeps its size
-            free = bool(mine) and not part.ground and outside < (4 if system.dim == 2 else 7)
+            free = bool(mine) and not part.ground and known < (4 if system.dim == 2 else 7)
             counts[mine] = RIGID_SHAPE
             if free:
                 # products of the edges of an undeformed beam stay as they are when the part grows

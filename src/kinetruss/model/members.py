@@ -61,8 +61,8 @@ class Node(Record):
     (m or rad, as couplings use it): for instance an unwrapped angle that serves as a degree of freedom.
 
     at : place, m: two coordinates in the plane, three in space.
-    mass : lumped mass, kg.
-    gravity : acceleration of this mass, m/s^2; by default that of the model.
+    mass : lumped mass, kg; of a scalar that is an angle the moment of inertia, kg m^2.
+    gravity : acceleration of this mass, m/s^2; by default that of the model, of a scalar none.
     coincident : it may stand where another node stands.
     scalar : it is a single coordinate, its x, and no point.
 

@@ -53,6 +53,8 @@ class Ref:
         mend = nearest(name, dict.fromkeys([*(one for one in self.names(model) if one not in hidden), *library]))
         if name in model.links and "links" not in self.tables and "bars" in self.tables:
             mend = f"{shown(name)} is a link, which keeps its length: name a bar, or drive an angle of the link."
+        if name in model.beams and "links" in self.tables and "bars" in self.tables:
+            mend = f"{shown(name)} is a beam: name the line between its ends, {shown(name + '.chord')}."
         if self.advice and not mend.startswith("Did"):
             mend = f"{self.advice} By name, {mend[0].lower()}{mend[1:]}"
         about = tuple((table, name.rpartition(".")[0] if table == "poses" else name) for table in self.tables)

@@ -17,6 +17,7 @@ from kinetruss.errors import InputError
 from kinetruss.kinematics.quantity_histories import quantities
 from kinetruss.model import nearest, turns
 from kinetruss.model.quantities import kinds_of
+from kinetruss.runs.doubts import poses_of
 from kinetruss.runs.quantity_limits import entries, limits_of
 
 if TYPE_CHECKING:
@@ -303,7 +304,7 @@ def quantity_rows(run: RunResult) -> list[dict[str, Any]]:
     """Value at the start, least and largest (with times, s), largest rate (with time) of the quantities of the model, each in
     its unit; its limits, and whether they are kept.
     """
-    found, kinds = list[dict[str, Any]](), kinds_of(run.model)
+    found, kinds, poses = list[dict[str, Any]](), kinds_of(run.model), poses_of(run)
     status: dict[tuple[str, str], str] = {}
     for one in run.finding.quantities:
         status.setdefault((one.part, one.load_case), one.status)
@@ -313,6 +314,11 @@ def quantity_rows(run: RunResult) -> list[dict[str, Any]]:
         values = data["value"].values[:, k] if timed else data["value"].values[k : k + 1]
         rates = data["rate"].values[:, k] if "rate" in data else np.full(len(values), np.nan)
         kind, record, limits = kinds[name], run.model.quantities[name], limits_of(run.model, name, case)
+        ends = _extreme("least", time, values, -values) | _extreme("largest", time, values, values)
+        named = {
+            f"{end}_pose": poses[round(at)] if poses and timed and not math.isnan(at := ends[f"{end}_time"]) else ""
+            for end in ("least", "largest")
+        }
         found.append(
             {
                 "quantity": name,
@@ -325,8 +331,8 @@ def quantity_rows(run: RunResult) -> list[dict[str, Any]]:
                 "status": status.get((name, case), ""),
                 "start": float(values[0]),
                 "unknown": int(np.isnan(values).sum()),
-                **_extreme("least", time, values, -values),
-                **_extreme("largest", time, values, values),
+                **ends,
+                **named,
                 **_extreme("rate", time, rates, np.abs(rates)),
             }
         )

@@ -6,7 +6,7 @@ from collections.abc import Mapping, Sequence
 from typing import Any
 
 from kinetruss.display import Table, instant, quantity
-from kinetruss.display.tables import MOST, measured, mixed, seconds, together, words
+from kinetruss.display.tables import MOST, Column, measured, mixed, seconds, together, words
 from kinetruss.report.tables import case_column
 
 Record = dict[str, Any]
@@ -16,20 +16,25 @@ Rows = Sequence[Record]
 def quantities(rows: Rows, *, timed: bool = True) -> Table:
     """The quantities that the model defines."""
     moving = timed and any(row["largest_time"] for row in rows)
+    poses = any(row["largest_pose"] for row in rows)
+
+    def at(end: str) -> Column:
+        return words("in pose", f"{end}_pose") if poses else seconds("at", f"{end}_time")
+
     columns = [
         words("quantity"),
         words("what", "words"),
-        *([mixed("start", "start", group="values")] if moving else []),
+        *([mixed("start", "start", group="values")] if moving and not poses else []),
         mixed("least" if moving else "value", "least", group="values"),
-        *([seconds("at", "least_time")] if moving else []),
-        *([mixed("largest", "largest", group="values"), seconds("at", "largest_time")] if moving else []),
+        *([at("least")] if moving else []),
+        *([mixed("largest", "largest", group="values"), at("largest")] if moving else []),
         *([mixed("largest rate", "rate", "rate_unit")] if moving else []),
         words("limits", _limits),
         words("status", lambda row: {"exceeded": "beyond", "": ""}.get(row["status"], row["status"])),
         words("not known", lambda row: f"{row['unknown']} samples" if row["unknown"] else ""),
         case_column(),
     ]
-    caption = "Quantities of the model" + (", extremes of the samples" if moving else "")
+    caption = "Quantities of the model" + (f", extremes of the {'poses' if poses else 'samples'}" if moving else "")
     return Table(columns, rows, caption, most=MOST)
 
 

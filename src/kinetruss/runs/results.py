@@ -3,9 +3,10 @@
 from __future__ import annotations
 
 import json
-from collections.abc import Mapping
+import math
+from collections.abc import Iterable, Mapping
 from contextlib import suppress
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from functools import cached_property
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, ClassVar
@@ -22,7 +23,7 @@ from kinetruss.results.dynamic_records import happened
 from kinetruss.results.lock import is_locked
 from kinetruss.results.store import Store, key, open_store
 from kinetruss.results.user_parts import marked
-from kinetruss.runs.doubts import doubts
+from kinetruss.runs.doubts import doubts, poses_of
 from kinetruss.runs.instants import derived
 from kinetruss.runs.plans import conditioned
 from kinetruss.runs.quantity_limits import limit_rows, quantities_of
@@ -30,6 +31,8 @@ from kinetruss.strength.findings import Finding, demands, find
 
 if TYPE_CHECKING:
     import xarray as xr
+
+    from kinetruss.results.wide_tables import Row
 
 
 @dataclass(frozen=True, kw_only=True, eq=False, repr=False)
@@ -106,12 +109,17 @@ class RunResult:
         """What the run says: whether limits are kept, what governs, what was not checked and why, what is unsure."""
         return find(
             self.verdict,
-            demands(self.demand),
+            self._posed(demands(self.demand)),
             partial=self.partial,
             doubts=self.doubts,
             timed=self.timed,
-            quantities=limit_rows(self.model, self.quantities),
+            quantities=self._posed(limit_rows(self.model, self.quantities)),
         )
+
+    def _posed(self, rows: Iterable[Row]) -> list[Row]:
+        """The rows; of a run of poses, whose times are their numbers, with the pose in which each value is."""
+        names = poses_of(self)
+        return [replace(row, pose=names[round(row.time)]) if names and math.isfinite(row.time) else row for row in rows]
 
     @cached_property
     def quantities(self) -> dict[str, xr.Dataset]:

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from typing import Any
+from typing import Any, Literal
 
 import numpy as np
 
@@ -232,9 +232,9 @@ def andrews_backwards() -> Numbers:
     return {"torque": forces.drive_force.sel(drive="motor")[0]} | multipliers(forces, 0)
 
 
-def beam() -> Numbers:
+def beam(form: Literal["beam", "conventional"] = "beam") -> Numbers:
     """Andrews' mechanism with the rotation of its crank as a coordinate, at 0.03 s; and the coordinates counted."""
-    squeezer, tasks = mechanisms.andrews(form="beam"), {"motor": kt.GivenForce(torque=mechanisms.ANDREWS_TORQUE)}
+    squeezer, tasks = mechanisms.andrews(form=form), {"motor": kt.GivenForce(torque=mechanisms.ANDREWS_TORQUE)}
     counts = kt.kinematics.mobility(squeezer)
     run = simulate(squeezer, 0.03, samples=31, tasks=tasks, method=kt.DOP853(rtol=1e-13, atol=1e-15))
     at = run.motion.data.isel(time=-1)

@@ -306,6 +306,32 @@ def platforms(kind: str) -> Numbers:
     return {"before_drives": found.degrees_of_freedom, "after_drives": found.undriven}
 
 
+def conventional(name: str) -> Numbers:
+    """Largest differences of a robot or mechanism of beams with rotations from that of bars, along one motion of the drives,
+    relative to the largest value; its coordinates with rotations of three, and with four Euler parameters.
+    """
+    bars, beams = (kt.library.build(f"mechanisms.{name}", {"form": form}) for form in ("bars", "conventional"))
+    start = kt.kinematics.mobility(beams)
+    turning = sum(frame not in beams.clamped for frame in beams.whole.inner.frames)
+    if name == "andrews":
+        begin = beams.nodes["beta"].at[0]
+        path: Any = kt.Quintic(moves={"motor": (begin, begin + 7.0)}, duration=0.03)
+    else:
+        path = bars.runs["move"].trajectory
+    both = [kt.kinematics.follow(model, path, samples=101) for model in (bars, beams)]
+    common = [node for node in bars.nodes if node in beams.nodes]
+    one, other = (motion.data.sel(node=common) for motion in both)
+    forces = [kt.dynamics.inverse(*pair, static=False).drive_force.values for pair in zip((bars, beams), both, strict=True)]
+    found: Numbers = {key: off(other[key].values, one[key].values) for key in ("position", "velocity", "acceleration")}
+    return found | {
+        "drive_force": off(forces[1], forces[0]),
+        "coordinates": start.coordinates,
+        "euler_parameters": start.coordinates + turning,
+        "fixed": start.fixed,
+        "freedoms": start.degrees_of_freedom,
+    }
+
+
 def five_freedoms() -> Numbers:
     """Lift, swing, shoulder, reach, wrist at four instants under given forces, and their rates."""
     robot, times = library.robot(rates=(-0.3, 0.8, 0.5, 0.2, -1.0)), (0.2, 0.4, 0.6, 0.8)

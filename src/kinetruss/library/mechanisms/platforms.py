@@ -15,6 +15,7 @@ from kinetruss.model import (
     Angle,
     AngleDrive,
     Bar,
+    Beam,
     Free,
     GravityVector,
     Length,
@@ -26,6 +27,7 @@ from kinetruss.model import (
     Run,
     Series,
 )
+from kinetruss.model.bracing import CHORD
 
 LIFT = -0.3
 """Angles of all arms in the run ``move``, rad."""
@@ -38,6 +40,7 @@ SIDES = {"a": -1, "b": 1}
 @builder("mechanisms.delta")
 def delta(
     *,
+    form: Literal["bars", "conventional"] = "bars",
     base: PositiveLength = 0.2,
     arm: PositiveLength = 0.35,
     rod: PositiveLength = 0.8,
@@ -59,11 +62,18 @@ def delta(
     of seven nodes and 15 bars: six sides, six spokes, three short diagonals. With three long diagonals instead, the number of
     bars is the same but the rank is 14: six points on a conic, joined as two threes (Bolker & Roth 1980).
 
+    Or a conventional model of finite elements: 15 rigid beams with rotations at their nodes, three hinges and the six rods.
+    An arm is a beam from ``Ak``, where a hinge joins it to the ground, to ``Ek``, and from there two to ``Bka`` and ``Bkb``;
+    the platform is six beams from ``P`` to its corners. That is 19 places and, at both ends of each arm and at ``P``, seven
+    rotations: 57 + 28 = 85 coordinates if each rotation is four Euler parameters, the number of the source. Here three
+    vectors (nine coordinates) carry a rotation.
+
     Drives ``arm1``, ``arm2``, ``arm3`` are the angles of the arms, positive below the horizontal; run ``move`` lifts the
     platform, run ``fall`` releases it.
 
     Parameters
     ----------
+    form : ``bars`` or ``conventional``.
     base : distance of the arms' axes from the centre, m. arm, rod : lengths, m. platform : circumradius of the hexagon, m;
         the rods of a pair are half of it to either side.
     at : centre of the hexagon at the start, m, z up.
@@ -95,33 +105,58 @@ def delta(
     """
     places_of: dict[str, Any] = {}
     bars: dict[str, Bar] = {}
-    drives, moves = {}, {}
-    for k in range(3):
-        R = turned_about(2, 2 * math.pi * k / 3)
-        angle = _arm_angle(R, at, (base, arm, rod, platform), k + 1)
-        places_of |= _arm(R, angle, base, arm, platform / 2, arm_apex, k + 1)
+    beams: dict[str, Beam] = {}
+    angles = [_arm_angle(_azimuth(k), at, (base, arm, rod, platform), k + 1) for k in range(3)]
+    for k, angle in enumerate(angles):
+        R = _azimuth(k)
+        if form == "bars":
+            places_of |= _arm(R, angle, base, arm, platform / 2, arm_apex, k + 1)
+            bars |= _arm_bars(k + 1, arm_mass)
+        else:
+            places_of |= _arm_of_beams(R, angle, base, arm, platform / 2, k + 1)
+            beams |= _arm_beams(R, arm_mass, k + 1)
         places_of |= {f"P{k + 1}{s}": np.array(at) + R @ _corner(platform, s) for s in SIDES}
-        bars |= _arm_bars(k + 1, arm_mass, rod_mass)
-        drives[f"arm{k + 1}"] = AngleDrive(f"A{k + 1}a-B{k + 1}a", axis=point(R[:, 1]), reference=point(R[:, 0]))
-        moves[f"arm{k + 1}"] = (angle, angle + LIFT)
-    places_of["Q"] = np.array(at) - (0, 0, platform_apex)
-    bars |= bars_between(_platform_bars())
+        bars |= bars_between([(f"B{k + 1}{s}", f"P{k + 1}{s}") for s in SIDES], mass=rod_mass)
+    if form == "bars":
+        places_of["Q"] = np.array(at) - (0, 0, platform_apex)
+        bars |= bars_between(_platform_bars())
+    else:
+        places_of["P"] = np.array(at)
+        beams |= {f"P-P{name}": Beam(ends=("P", f"P{name}"), kind="rigid", mass=0.0) for name in CORNERS}
+    drives = {
+        f"arm{k + 1}": AngleDrive(
+            f"A{k + 1}a-B{k + 1}a" if form == "bars" else f"arm{k + 1}{CHORD}",
+            axis=point(_azimuth(k)[:, 1]),
+            reference=point(_azimuth(k)[:, 0]),
+        )
+        for k in range(3)
+    }
     corners = {f"P{name}" for name in CORNERS}
     nodes = {
         name: Node(at=place, mass=platform_mass / 6 if name in corners else 0.0) for name, place in places(places_of).items()
     }
+    ground = tuple(name for name in nodes if name.startswith("A"))
     return Model(
         title=title,
         nodes=nodes,
-        fixed=[name for name in nodes if name.startswith("A")],
         bars=bars,
+        **({"fixed": ground} if form == "bars" else {"clamped": ground, "beams": beams}),
         gravity=gravity,
         drives=drives,
         runs={
-            "move": Run(trajectory=Quintic(moves=moves, duration=0.5)),
+            "move": Run(
+                trajectory=Quintic(
+                    moves={name: (angle, angle + LIFT) for name, angle in zip(drives, angles, strict=True)}, duration=0.5
+                )
+            ),
             "fall": Run(analysis="dynamics.simulate", t_end=0.15, tasks=dict.fromkeys(drives, Free())),
         },
     )
+
+
+def _azimuth(k: int) -> Any:
+    """The directions of arm k: outwards, along its axis, up."""
+    return turned_about(2, 2 * math.pi * k / 3)
 
 
 def _corner(platform: float, side: str) -> Any:
@@ -150,14 +185,26 @@ def _arm(R: Any, angle: float, base: float, arm: float, half: float, apex: float
     return found | {f"C{k}": R @ (a + arm / 2 * out + apex * up)}
 
 
-def _arm_bars(k: int, arm_mass: float, rod_mass: float) -> dict[str, Bar]:
-    """Eight bars of an arm (its axis lies between two fixed nodes and has none) and its two rods."""
+def _arm_bars(k: int, arm_mass: float) -> dict[str, Bar]:
+    """Eight bars of an arm; its axis lies between two fixed nodes and has none."""
     a, b, c = (f"A{k}a", f"A{k}b"), (f"B{k}a", f"B{k}b"), f"C{k}"
-    return (
-        bars_between(zip(a, b, strict=True), mass=arm_mass / 2)
-        | bars_between([b, (a[0], b[1]), *((c, each) for each in (*a, *b))])
-        | bars_between([(f"B{k}{s}", f"P{k}{s}") for s in SIDES], mass=rod_mass)
+    return bars_between(zip(a, b, strict=True), mass=arm_mass / 2) | bars_between(
+        [b, (a[0], b[1]), *((c, each) for each in (*a, *b))]
     )
+
+
+def _arm_of_beams(R: Any, angle: float, base: float, arm: float, half: float, k: int) -> dict[str, Any]:
+    """Nodes of an arm of beams: both ends, and the joints of the rods beside the second."""
+    foot = np.array([base, 0.0, 0.0])
+    end = foot + arm * np.array([math.cos(angle), 0.0, -math.sin(angle)])
+    rods = {f"B{k}{s}": R @ (end + sign * half * np.array([0.0, 1.0, 0.0])) for s, sign in SIDES.items()}
+    return {f"A{k}": R @ foot, f"E{k}": R @ end} | rods
+
+
+def _arm_beams(R: Any, mass: float, k: int) -> dict[str, Beam]:
+    """Three rigid beams; all of the mass is along the first."""
+    arm = Beam(ends=(f"A{k}", f"E{k}"), kind="rigid", mass=mass, hinges={f"A{k}": point(R[:, 1])})
+    return {f"arm{k}": arm} | {f"E{k}-B{k}{s}": Beam(ends=(f"E{k}", f"B{k}{s}"), kind="rigid", mass=0.0) for s in SIDES}
 
 
 def _platform_bars() -> list[tuple[str, str]]:

@@ -3,7 +3,8 @@
 from __future__ import annotations
 
 import math
-from typing import Any
+from collections.abc import Container
+from typing import Any, Literal
 
 import numpy as np
 
@@ -13,7 +14,10 @@ from kinetruss.library.placing import bars_between, places, point, refuse, turne
 from kinetruss.model import (
     Angle,
     AngleDrive,
+    Beam,
     Body,
+    Coupling,
+    DistanceCoordinate,
     Frame,
     GravityVector,
     HingeDrive,
@@ -24,6 +28,7 @@ from kinetruss.model import (
     Quintic,
     Run,
 )
+from kinetruss.model.bracing import CHORD
 
 EDGE = 0.2
 """Length of the hinge edges of the Sarrus linkage, m."""
@@ -33,6 +38,9 @@ LEG = 1.1
 
 APEX = 0.15
 """Height of the apexes of these plates, m."""
+
+GUIDED = {"A": "xyz", "B": "xy", "D": "xy"}
+"""B and D stay on the axis z."""
 
 FIRST = {"B": (0.0, 0.0, 0.0), "D": (0.0, 0.0, 0.4), "C": (0.0, 0.3, 0.0), "X": (0.3, 0.0, 0.0)}
 BODIES = {
@@ -52,6 +60,7 @@ HAND = (("J", "G"), ("J", "H"), ("J", "K"), ("U", "G"), ("U", "H"), ("W", "G"), 
 @builder("mechanisms.robot")
 def robot(
     *,
+    form: Literal["bars", "conventional"] = "bars",
     lift: PositiveLength = 1.5,
     swing: Angle = 0.4,
     shoulder: Angle = -0.2,
@@ -70,10 +79,17 @@ def robot(
     wrist's axis. Each plate is a pyramid: its four corners lie in a plane, so the apex Q keeps it stiff. Edge HK needs no
     bar.
 
+    Or a conventional model of finite elements: eight rigid beams with rotations at their nodes, B-D, B-X, B-E, E-F, G-H, G-K,
+    G-J and G-U, hinges at B and G, and a slide in place of the linkage: five couplings of distances between the places B, E,
+    F of the guide and G, H, K of the second body, which are the same places moved along BG. The masses are on the rotations.
+    That is 11 places and five rotations (two at B, one at E, two at G): 53 coordinates if each rotation is four Euler
+    parameters. The source has 43 and does not say which. Here three vectors (nine coordinates) carry a rotation.
+
     Masses: ``first`` on BCDX, ``second`` on GHKJ, ``effector`` on GHUW; bars and linkage have none.
 
     Parameters
     ----------
+    form : ``bars`` or ``conventional``.
     lift : of B above A, m. reach : from B to G, m, less than two plates (2.2 m). swing, shoulder, wrist : rad; the axes are
         R1 = Rz(swing), R2 = R1 Ry(shoulder), R3 = R2 Rx(wrist).
     rates : of the five, in this order, at the start, m/s and rad/s.
@@ -97,25 +113,65 @@ def robot(
     if reach >= 2 * LEG:
         raise refuse("reach", f"{reach:g} m is beyond the plates.", f"Stay below {2 * LEG:g} m.")
     given = np.array([lift, swing, shoulder, reach, wrist])
-    nodes = places(_places(given))  # C and G may coincide, and U and J
-    bars = bars_between([*((edge[0], edge[1]) for edge in (*TETRAHEDRON, *SHOULDER)), *SARRUS_BARS, *HAND])
+    at = places(_places(given))  # C and G may coincide, and U and J
+    driven = bars_between([("A", "B"), ("B", "G")], kind="driven")
+    if form == "bars":
+        edges = [*((edge[0], edge[1]) for edge in (*TETRAHEDRON, *SHOULDER)), *SARRUS_BARS, *HAND]
+        parts: dict[str, Any] = {
+            "nodes": at | {name: Node(at=at[name], coincident=True) for name in ("C", "U")},
+            "fixed": GUIDED,
+            "bars": bars_between(edges) | driven,
+            "bodies": _bodies(given),
+        }
+        axis = ("B", "C")
+    else:
+        parts = _conventional(given, at) | {"bars": driven}
+        axis = ("B", "B-E.B.axis")
     return Model(
         title=title,
-        nodes=nodes | {name: Node(at=nodes[name], coincident=True) for name in ("C", "U")},
-        fixed={"A": "xyz", "B": "xy", "D": "xy"},
-        bars=bars | bars_between([("A", "B"), ("B", "G")], kind="driven"),
-        bodies=_bodies(given),
+        **parts,
         drives={
             "lift": LengthDrive("A-B"),
-            "swing": AngleDrive("B-X", axis="z", reference="x"),
-            "shoulder": HingeDrive(axis=("B", "C"), start="X", end="E"),
+            "swing": AngleDrive("B-X" if form == "bars" else f"B-X{CHORD}", axis="z", reference="x"),
+            "shoulder": HingeDrive(axis=axis, start="X", end="E"),
             "reach": LengthDrive("B-G"),
             "wrist": HingeDrive(axis=("G", "H"), start="J", end="U"),
         },
         runs={"move": Run(trajectory=Quintic(moves=_move(lift, swing, shoulder, reach, wrist), duration=1.0))},
-        velocities={} if rates is None else _velocities(given, np.array(rates)),
+        velocities={} if rates is None else _velocities(given, np.array(rates), parts["nodes"]),
         gravity=gravity,
     )
+
+
+def _conventional(q: Any, at: dict[str, Any]) -> dict[str, Any]:
+    """Places, beams, masses and the slide of the conventional model."""
+    R2 = turned_about(2, q[1]) @ turned_about(1, q[2])
+    hinges = {"B-E": {"B": point(R2[:, 1])}, "G-U": {"G": point(R2[:, 0])}}
+    beams = {
+        f"{a}-{b}": Beam(ends=(a, b), kind="rigid", mass=0.0, hinges=hinges.get(f"{a}-{b}", {}))
+        for a, b in ("BD", "BX", "BE", "EF", "GH", "GK", "GJ", "GU")
+    }
+    # |EH| = |FK| = |BG|: no turn about the axes across the slide; the diagonals are equal: no shift across it, no turn about it
+    equal = {
+        "EH": ("EH", "BG"),
+        "FK": ("FK", "BG"),
+        "EG": ("EG", "BH"),
+        "FG": ("FG", "BK"),
+        "EK": ("EK", "FH"),
+    }
+    couplings = {
+        f"slide.{name}": Coupling(
+            terms=tuple((DistanceCoordinate(nodes=(pair[0], pair[1])), sign) for pair, sign in zip(two, (1, -1), strict=True))
+        )
+        for name, two in equal.items()
+    }
+    carried = {"first": ("B", "B"), "second": ("G", "G"), "effector": ("G", "G-U.G")}
+    bodies = {
+        name: body.with_(nodes=(carried[name][0], *(f"{carried[name][1]}.d{k}" for k in (1, 2, 3))), brace=True)
+        for name, body in _bodies(q).items()
+    }
+    nodes = {name: at[name] for name in "ABDXEFGHKJ"} | {"U": Node(at=at["U"], coincident=True)}
+    return {"nodes": nodes, "fixed": GUIDED, "beams": beams, "couplings": couplings, "bodies": bodies}
 
 
 def _move(lift: float, swing: float, shoulder: float, reach: float, wrist: float) -> dict[str, tuple[float, float]]:
@@ -163,8 +219,8 @@ def _bodies(q: Any) -> dict[str, Body]:
     return found
 
 
-def _velocities(q: Any, rates: Any) -> dict[str, Any]:
-    """Velocities of all nodes, m/s: the derivative of the positions by a complex step."""
+def _velocities(q: Any, rates: Any, nodes: Container[str]) -> dict[str, Any]:
+    """Velocities of these nodes, m/s: the derivative of the positions by a complex step."""
     moved = _places(q + 1e-30j * rates)
     found = {name: np.imag(place) / 1e-30 for name, place in moved.items()}
-    return {name: speed for name, speed in places(found).items() if math.hypot(*speed) > 0}
+    return {name: speed for name, speed in places(found).items() if name in nodes and math.hypot(*speed) > 0}

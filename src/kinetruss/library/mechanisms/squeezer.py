@@ -4,9 +4,11 @@ from __future__ import annotations
 
 import cmath
 import math
+from collections.abc import Mapping
 from typing import Annotated, Any, Literal
 
 from kinetruss.library.building import builder
+from kinetruss.library.placing import on_link
 from kinetruss.model import (
     AngleDrive,
     Bar,
@@ -63,7 +65,7 @@ LENGTHS = {
 @builder("mechanisms.andrews")
 def andrews(
     *,
-    form: Literal["bars", "beam"] = "bars",
+    form: Literal["bars", "beam", "conventional"] = "bars",
     torque: Annotated[float, Of("torque")] = ANDREWS_TORQUE,
     duration: PositiveTime = 0.03,
     title: str = "Andrews' squeezing mechanism",
@@ -74,12 +76,15 @@ def andrews(
     ``CD``. Nodes O, A, B, C are fixed; drive ``motor`` turns the crank ``OF``. Each body is the extended mass of the
     bar that carries it. It starts at rest, without gravity.
 
-    Or nine bars and a beam: the crank ``OF`` is a rigid beam, its rotation the coordinate ``beta``.
+    Or nine bars and a beam: the crank ``OF`` is a rigid beam, its rotation the coordinate ``beta``. Or the conventional model
+    of finite elements: eleven rigid beams and the spring. Each of the seven bodies has a rotation coordinate and each centre
+    of mass off the line of its pins a node; the mass is at the centre, the moment of inertia on the rotation.
 
     Parameters
     ----------
     form : ``bars``, or ``beam``: a rigid beam with a rotation coordinate in place of the bar ``OF``. ``beta.x`` (rad) counts on
-        over full turns, so it is a degree of freedom throughout: 19 coordinates, 8 fixed.
+        over full turns, so it is a degree of freedom throughout: 19 coordinates, 8 fixed. ``conventional``: rotations of all
+        bodies, ``beta`` and ``BODY.angle``: 31 coordinates, 8 fixed.
     torque : on the crank, N m, constant; it belongs to the run ``spin``. duration : of that run, s.
 
     Notes
@@ -103,36 +108,68 @@ def andrews(
     (10, (0.01228, -0.00449))
     """
     places = _start()
-    bars = {
-        name: Bar(ends=(name[0], name[1]), length=length, body=BODIES.get(name), mass=None if name in BODIES else 0.0)
-        for name, length in LENGTHS.items()
-    }
     spring = Bar(ends=("C", "D"), kind="elastic", stiffness=4530.0, natural_length=0.07785, mass=0.0)
     nodes: dict[str, Any] = {name: (z.real, z.imag) for name, z in places.items()}
-    crank: dict[str, Any] = {"drives": {"motor": AngleDrive("OF")}}
+    if form == "conventional":
+        bars, more = {}, _conventional(nodes, places)
+    else:
+        bars = {
+            name: Bar(ends=(name[0], name[1]), length=length, body=BODIES.get(name), mass=None if name in BODIES else 0.0)
+            for name, length in LENGTHS.items()
+        }
+        more = {"drives": {"motor": AngleDrive("OF")}}
     if form == "beam":
         nodes["beta"] = Node(at=(BETA, 0.0), scalar=True)
-        along = cmath.exp(1j * BETA)
         del bars["OF"]
-        mass, axes = BODIES["OF"], ((along.real, along.imag), (-along.imag, along.real))
-        frame = Frame(origin=(0.0, 0.0), axes=axes)
-        crank = {
+        more = {
             "beams": {"OF": Beam(ends=("O", "F"), kind="rigid", rotation="beta", mass=0.0)},
-            "bodies": {
-                "crank": Body(
-                    nodes=("O", "F"), mass=mass.mass, center=mass.center, inertia=mass.inertia, frame=frame, brace=False
-                )
-            },
-            "drives": {"motor": CoordinateDrive(node="beta", axis="x")},
+            "bodies": {"crank": _on_its_pins("OF", places, BODIES["OF"].inertia)},
         }
+    if form != "bars":
+        more["drives"] = {"motor": CoordinateDrive(node="beta", axis="x")}
     return Model(
         title=title,
         nodes=nodes,
         fixed=["O", "A", "B", "C"],
         bars=bars | {"CD": spring},
-        **crank,
+        **more,
         runs={"spin": Run(analysis="dynamics.simulate", t_end=duration, tasks={"motor": GivenForce(torque=torque)})},
     )
+
+
+def _on_its_pins(name: str, places: Mapping[str, complex], inertia: float) -> Body:
+    """The mass of a body whose centre is on the line of its pins, with this moment of inertia (kg m^2)."""
+    start = places[name[0]]
+    along = (places[name[1]] - start) / abs(places[name[1]] - start)
+    frame = Frame(origin=(start.real, start.imag), axes=((along.real, along.imag), (-along.imag, along.real)))
+    body = BODIES[name]
+    return Body(nodes=(name[0], name[1]), mass=body.mass, center=body.center, inertia=inertia, frame=frame, brace=False)
+
+
+def _conventional(nodes: dict[str, Any], places: Mapping[str, complex]) -> dict[str, Any]:
+    """Rigid beams and masses of the seven bodies; their rotations and the centres off the lines of pins join `nodes`."""
+    beams, bodies = {}, {}
+
+    def beam(name: str, first: str, second: str, angle: str) -> None:
+        # the pins are free: the rotation is that of the body alone
+        ends = (first, second)
+        beams[name] = Beam(ends=ends, kind="rigid", rotation=angle, mass=0.0, release=ends)
+
+    for name, body in BODIES.items():
+        first, second = name[0], name[1]
+        way = places[second] - places[first]
+        angle = "beta" if name == "OF" else f"{name}.angle"
+        nodes[angle] = Node(at=(cmath.phase(way), 0.0), scalar=True, mass=body.inertia)
+        beam(name, first, second, angle)
+        if name == "BE":
+            beam("BD", "B", "D", angle)
+        if body.center[1]:
+            center = on_link(places[first], places[second], body.center)
+            nodes[f"{name}.center"] = Node(at=(center.real, center.imag), mass=body.mass)
+            beam(f"{name}.arm", first, f"{name}.center", angle)
+        else:
+            bodies[name] = _on_its_pins(name, places, 0.0)
+    return {"beams": beams, "bodies": bodies}
 
 
 def _start() -> dict[str, complex]:
