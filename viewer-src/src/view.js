@@ -93,7 +93,7 @@ export class View extends Picture {
     const { scene, world } = this;
     const size = 0.1 * scene.length0;
     this.bars = new Bars(scene);
-    this.supports = new Supports(scene, size);
+    this.supports = new Supports(scene);
     this.loads = new Loads(scene, 0.9 * size);
     this.drives = new Drives(scene, size);
     this.bodies = new Bodies(scene, this.bars.ball);

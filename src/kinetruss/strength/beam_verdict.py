@@ -68,7 +68,7 @@ def beam_histories(model: Model, forces: Forces, stations: int = SECTIONS) -> di
     if not shape[0] or not spans.names or not known_positions(forces):
         nothing = np.full(shape, np.nan)
         return dict.fromkeys(BEAM_QUANTITIES, (nothing, nothing))
-    xi = _stations(compile(model), forces.load_case, max(stations, SECTIONS))
+    xi = stations_of(compile(model), forces.load_case, max(stations, SECTIONS))
     found, _, _ = along_elements(model, forces, xi)
     T, M = found["section_T"], np.linalg.norm(found["section_M"], axis=-1)
     along = dict(zip(BEAM_QUANTITIES[:4], (T, -T, M, found["von_mises"]), strict=True))
@@ -143,7 +143,7 @@ def beam_sections(model: Model, result: Forces | Result, stations: int) -> NDArr
 
 
 @cached()
-def _stations(system: System, case: str, count: int) -> NDArray[np.float64]:
+def stations_of(system: System, case: str, count: int) -> NDArray[np.float64]:
     """Sections at equal distances, and on both sides of the places where loads begin, end or act."""
     cases = case if case in system.model.cases else None
     places = {float(s) for name in loads_of(system, cases) for one in on_beams(system, name) for s in (one.begin, one.end)}

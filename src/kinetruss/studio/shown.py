@@ -25,6 +25,7 @@ from kinetruss.studio.poses import number
 from kinetruss.studio.requested_runs import worst_rows
 from kinetruss.units import parse
 from kinetruss.viewer import pack, scene
+from kinetruss.viewer.support_marks import support_marks
 
 if TYPE_CHECKING:
     from collections.abc import Sequence
@@ -225,6 +226,7 @@ def drawing_of(session: Shown, light: bool = False) -> Record:
             for name, ends, on in lines
         ],
         "fixed": supports(data),
+        "supports": _supports(found, data, drawing.dim),
         "loads": _loads(found),
         "data": data,
         "text": text,
@@ -249,6 +251,17 @@ def _pins(data: dict[str, Any], places: dict[str, list[float]], members: dict[st
 def fault_rows(faults: list[Fault]) -> list[dict[str, Any]]:
     """Faults with their line in the text."""
     return [{"where": one.where, "text": str(one), "line": one.line, "column": one.column} for one in faults]
+
+
+def _supports(found: Judged, data: dict[str, Any], dim: int) -> list[Record]:
+    """The symbols of supports; of a drawing with faults those of fixed nodes."""
+    if found.model is not None:
+        return support_marks(found.model)
+    upright = [float(k == dim - 1) for k in range(3)]
+    axes = {name: given if isinstance(given, str) else "xyz"[:dim] for name, given in supports(data).items()}
+    kinds = [(name, "pin", upright) if len(own) >= dim else (name, "roller", [float(one in own) for one in "xyz"])
+             for name, own in axes.items()]  # fmt: skip
+    return [{"node": name, "kind": kind, "along": along} for name, kind, along in kinds]
 
 
 def _warnings(found: Judged, floats: bool) -> list[tuple[str, str]]:
