@@ -1,20 +1,22 @@
-"""Section forces and deflections as curves over a structure: on which side of its members they are drawn, and their extremes."""
+"""Section forces and deflections as curves over a structure: on which side of members they are drawn, and their extremes."""
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, replace
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, cast
 
 import numpy as np
 
 from kinetruss.dynamics.bar_actions import actions_of
+from kinetruss.elements.loads.load import Spread
 from kinetruss.elements.local_axes import local_axes
 from kinetruss.errors import InputError, few
 from kinetruss.mechanics import System, compile
 from kinetruss.mechanics.beam_forces import beam_frames
 from kinetruss.model import nearest
 from kinetruss.model.beam_frames import owner_of
+from kinetruss.results import Forces
 from kinetruss.strength.beam_stresses import along_elements, known_positions
 from kinetruss.strength.beam_verdict import SECTIONS, chord_of, stations_of
 from kinetruss.strength.parts import parts_of
@@ -24,7 +26,7 @@ if TYPE_CHECKING:
     from numpy.typing import NDArray
 
     from kinetruss.model import Model
-    from kinetruss.results import Forces
+    from kinetruss.results import Result
 
     Array = NDArray[np.float64]
 
@@ -44,6 +46,7 @@ class Quantity:
     side: int = 1
 
 
+TWO, THREE = (f"drawn on the side of axis {axis} of the member if it is positive" for axis in (2, 3))
 LEFT = "the left of the member as seen from its first end"
 N = Quantity(
     words="axial force N", unit="N", sign="tension is positive (orange), compression negative (blue)", array="section_T"
@@ -57,14 +60,14 @@ PLANE = {
 }  # fmt: skip
 SPACE = {
     "N": N,
-    "V2": Quantity(words="shear force V₂", unit="N", array="section_V", sign="drawn on the side of axis 2 of the member if it is positive"),
+    "V2": Quantity(words="shear force V₂", unit="N", array="section_V", sign=TWO),
     "V3": Quantity(words="shear force V₃", unit="N", array="section_V", component=1, axis=3,
-                   sign="drawn on the side of axis 3 of the member if it is positive"),
+                   sign=THREE),
     "M2": Quantity(words="bending moment M₂", unit="N m", array="section_M", axis=3,
                    sign="drawn on the side in tension: that of axis 3 of the member if it is positive"),
     "M3": Quantity(words="bending moment M₃", unit="N m", array="section_M", component=1, side=-1,
                    sign="drawn on the side in tension: opposite to axis 2 of the member if it is positive"),
-    "torque": Quantity(words="torque", unit="N m", array="torsion", sign="drawn on the side of axis 2 of the member if it is positive"),
+    "torque": Quantity(words="torque", unit="N m", array="torsion", sign=TWO),
 }  # fmt: skip
 DEFLECTION = Quantity(words="deflection", unit="m", sign="its size from the structure without loads")
 ALSO = {"T": "torque", "Vy": "V2", "Vz": "V3", "My": "M2", "Mz": "M3"}
@@ -73,8 +76,12 @@ MANY, FEWER = 60, 49
 """Number of parts above which curves have fewer stations, and these."""
 ROUND_OFF = 1e-9
 """Share of the largest force, and of that force on the length of the structure, up to which a value is 0."""
+NEXT = 1e-9
+"""Distance of two stations, of the length, up to which they are the two sides of one place."""
 SAME = 1e-6
 """Relative difference up to which a curve is a constant."""
+HIGHEST = 0.13
+"""Height of the largest value over the structure, of its size."""
 SMALL = 0.02
 """Share of the largest value of all up to which an extreme is not one that is written."""
 
@@ -131,15 +138,15 @@ def curves(model: Model, forces: Forces, show: str, *, from_model: bool = False)
 
     Parameters
     ----------
-    forces : of one sample. show : in the plane ``N``, ``V``, ``M``, in space ``N``, ``V2`` and ``V3`` (also ``Vy``, ``Vz``) along
-    the axes 2 and 3 of members, ``M2`` and ``M3`` (``My``, ``Mz``) about them, ``torque`` (``T``); or ``deflection``.
+    forces : of one sample. show : in the plane ``N``, ``V``, ``M``; in space ``N``, ``V2`` and ``V3`` (also ``Vy``, ``Vz``)
+    along the axes 2 and 3 of members, ``M2`` and ``M3`` (``My``, ``Mz``) about them, ``torque`` (``T``); or ``deflection``.
     from_model : the loads alone have moved the positions of the forces away from the model, as in an equilibrium; else
     deflections are known only of `statics.linear`.
 
     Returns
     -------
-    Curves. Values are those of `strength.sections` and `strength.beams`, N, N m and m, with their signs. Extremes between stations
-    are those of parabolas: exact where the load between two places does not change. Values that are round-off are 0.
+    Curves. Values are those of `strength.sections` and `strength.beams`, N, N m and m, with their signs. Extremes between
+    stations are those of parabolas: exact under uniform loads, else to 1e-5. Values that are round-off are 0.
 
     Raises
     ------
@@ -148,9 +155,12 @@ def curves(model: Model, forces: Forces, show: str, *, from_model: bool = False)
     Examples
     --------
     >>> import kinetruss as kt
-    >>> beam = kt.Model(nodes={"A": (0, 0), "B": (2, 0)}, fixed={"A": "xy", "B": "y"}, beams={"b": ("A", "B")}, material="steel_s235",
-    ...     section=kt.Rod(diameter=0.1), loads={"q": kt.MemberLoad(member="b", force=(0, -800))})
-    >>> run = kt.run(beam.with_(gravity=(0, 0), runs={"rest": kt.Run(analysis="statics.linear")}))
+    >>> beam = kt.Model(
+    ...     nodes={"A": (0, 0), "B": (2, 0)}, fixed={"A": "xy", "B": "y"}, beams={"b": ("A", "B")}, material="steel_s235",
+    ...     section=kt.Rod(diameter=0.1), loads={"q": kt.MemberLoad(member="b", force=(0, -800))}, gravity=(0, 0),
+    ...     runs={"rest": kt.Run(analysis="statics.linear")},
+    ... )
+    >>> run = kt.run(beam)
     >>> (found,) = curves(run.model, run.forces["all"], "M").curves
     >>> [(round(found.x[k].item(), 9), round(found.values[k].item(), 9)) for k in found.extremes]
     [(1.0, 200.0)]
@@ -162,8 +172,8 @@ def curves(model: Model, forces: Forces, show: str, *, from_model: bool = False)
     deflected, quantity = show == "deflection", known[show]
     if deflected and not from_model and "displacement" not in forces.arrays:
         raise InputError(
-            "The deflection is not known: these are forces of given positions. Run statics.linear or statics.equilibrium; along "
-            "a motion statics.deflection has that of the nodes."
+            "The deflection is not known: these are forces of given positions. Run statics.linear or statics.equilibrium; "
+            "along a motion statics.deflection has that of the nodes."
         )
     system = compile(model)
     found = [*_of_beams(model, system, forces, deflected=deflected), *_of_bars(model, system, forces, deflected=deflected)]
@@ -205,13 +215,18 @@ def _count(system: System) -> int:
     return SECTIONS if len(system.members) <= MANY else FEWER
 
 
+def _edges(system: System, xi: Array) -> Array:
+    """Those of the fractions xi at which loads on beams begin, end or act."""
+    return np.setdiff1d(xi, np.linspace(0.0, 1.0, _count(system)))
+
+
 def _of_beams(model: Model, system: System, forces: Forces, *, deflected: bool) -> Iterator[Found]:
     """Each elastic beam, and each part of a link between two pins."""
     beams: Any = None if system.continua is None else system.continua.beams
     if beams is None:
         return
     xi = stations_of(system, forces.load_case, _count(system))
-    edges = np.setdiff1d(xi, np.linspace(0.0, 1.0, _count(system)))
+    edges = _edges(system, xi)
     known = known_positions(forces)
     values = along_elements(model, forces, xi, deflected=deflected)[0] if known else {}
     at = np.zeros((1, *system.x0.shape))
@@ -221,6 +236,8 @@ def _of_beams(model: Model, system: System, forces: Forces, *, deflected: bool) 
     for k, name in enumerate(beams.names):
         own = {key: one[0, k] for key, one in values.items() if one.ndim >= 3 and one.shape[2] == len(xi)}
         own = own or {key: np.full(len(xi), np.nan) for key in ("section_T", "section_V", "section_M", "torsion")}
+        if deflected and known and "displacement" not in forces.arrays:  # positions that the loads have moved
+            base[k] -= own["displacement"]
         member, owner = system.members.index(chord_of(name)), owner_of(name, model.whole.beams[name]).name
         yield owner, member, xi * float(beams.length[k]), edges * float(beams.length[k]), base[k], frame[k], own
 
@@ -232,16 +249,17 @@ def _of_bars(model: Model, system: System, forces: Forces, *, deflected: bool) -
     names = [name for name in parts.names if name.rpartition(".")[0] not in model.bending and name not in inner]
     if not names:
         return
-    ends: set[float] = set()
-    for one in actions_of(system, forces.load_case).actions:
-        ends |= {float(one.place)} if isinstance(one.place, (int, float)) else set(one.place[:2] if one.place else ())
+    ends = {s for one in actions_of(system, forces.load_case).actions if isinstance(one.place, Spread) for s in one.place[:2]}
+    if "action_place" in forces.arrays:
+        ends |= {float(s) for s in forces.arrays["action_place"].values[0] if not np.isnan(s)}
     sides = [side for s in ends for side in (s, np.nextafter(s, 2.0))]
     xi = np.unique(np.clip([*np.linspace(0.0, 1.0, _count(system)), *sides], 0.0, 1.0))
     data = sections(model, forces, stations=xi).arrays
-    p, q = (forces.motion.whole["position"].values[0][nodes] for nodes in (system.p, system.q))
+    place_of = forces.motion.whole["position"].values[0]
     moved = forces.arrays["displacement"].values[0] if deflected and "displacement" in forces.arrays else None
     if deflected and moved is None:
-        moved = forces.motion.whole["position"].values[0] - system.x0[:, : model.dim]
+        moved, place_of = place_of - system.x0[:, : model.dim], system.x0[:, : model.dim]
+    p, q = place_of[system.p], place_of[system.q]
     axes = local_axes(system, forces.motion.whole["position"].values)[0]
     place = {name: k for k, name in enumerate(map(str, data["part"].values))}
     for name in names:
@@ -256,48 +274,77 @@ def _of_bars(model: Model, system: System, forces: Forces, *, deflected: bool) -
         yield name, member, x, start + np.array(sorted(ends)) * length, base, axes[member], own
 
 
+def extremes(x: Array, values: Array, edges: Array) -> Array:
+    """Least value, its place, largest value, its place, (.., 4), of values (.., s) at places x (s,).
+
+    Each is at a station, or at the top of the parabola through three stations next to each other, between which no load begins,
+    ends or acts (edges).
+    """
+    found = []
+    width, whole = np.minimum(x[1:-1] - x[:-2], x[2:] - x[1:-1]), x[-1] - x[0]
+    within = np.searchsorted(edges, x[2:], "left") - np.searchsorted(edges, x[:-2], "right")  # edges between both outer ones
+    smooth: NDArray[np.bool_] = (width > NEXT * whole) & (within == 0)
+    for sign in (-1.0, 1.0):
+        f = sign * np.nan_to_num(values)
+        k = f.argmax(axis=-1)
+        best, place = np.take_along_axis(f, k[..., None], axis=-1)[..., 0], x[k]
+        settled = np.zeros(k.shape, bool)
+        for before in (1, 2, 0):  # beside the station only where a load begins, ends or acts there
+            at = np.clip(k - before, 0, len(smooth) - 1)
+            a, b, c = (x[at + step] for step in (0, 1, 2))
+            fa, fb, fc = (np.take_along_axis(f, (at + step)[..., None], axis=-1)[..., 0] for step in (0, 1, 2))
+            with np.errstate(divide="ignore", invalid="ignore"):
+                rise = (fb - fa) / (b - a)
+                curved = ((fc - fb) / (c - b) - rise) / (c - a)
+                top = (a + b) / 2 - rise / (2 * curved)
+                value = fa + rise * (top - a) + curved * (top - a) * (top - b)
+            better = ~settled & smooth[at] & (curved < 0) & (top > a) & (top < c) & (value > best + SAME**2 * np.abs(best))
+            best, place = np.where(better, value, best), np.where(better, top, place)
+            settled = settled | ((before == 1) & smooth[at] & (k > 0) & (k < len(x) - 1))
+        found += [sign * best, place]
+    every = np.stack(found, axis=-1)
+    return np.where(np.isnan(values).any(axis=-1)[..., None], np.nan, every)
+
+
 def _curve(part: str, member: int, x: Array, base: Array, shift: Array, values: Array, edges: Array) -> Curve:
     """The curve with its least and largest value among its places."""
-    placed = []
-    for sign in (-1.0, 1.0):
-        at, value = _top(x, sign * values, edges)
-        if at not in x:
-            k = int(np.searchsorted(x, at))
-            part_of = (at - x[k - 1]) / (x[k] - x[k - 1])
-            middle = shift[k - 1] + part_of * (shift[k] - shift[k - 1])
-            size = float(values[k - 1] + part_of * (values[k] - values[k - 1]))
-            x, values = np.insert(x, k, at), np.insert(values, k, sign * value)
-            base = np.insert(base, k, base[k - 1] + part_of * (base[k] - base[k - 1]), axis=0)
-            shift = np.insert(shift, k, middle * (sign * value / size if size else 1.0), axis=0)
-        placed.append(at)
-    found = tuple(int(np.abs(x - at).argmin()) for at in placed)
+    every = extremes(x, values, edges)
+    for value, at in every.reshape(2, 2).tolist():
+        if at in x:
+            continue
+        k = int(np.searchsorted(x, at))
+        share = (at - x[k - 1]) / (x[k] - x[k - 1])
+        between = [one[k - 1] + share * (one[k] - one[k - 1]) for one in (base, shift, values)]
+        x, values = np.insert(x, k, at), np.insert(values, k, value)
+        base = np.insert(base, k, between[0], axis=0)
+        shift = np.insert(shift, k, between[1] * (value / between[2] if between[2] else 1.0), axis=0)
+    found = tuple(int(np.abs(x - at).argmin()) for at in every[1::2])
     return Curve(part=part, member=member, x=x, base=base, shift=shift, values=values, extremes=found)
 
 
-def _top(x: Array, values: Array, edges: Array) -> tuple[float, float]:
-    """Place and size of the largest value: at a station, or at the top of the parabola through it and its neighbours, none of
-    which is beyond a place where a load begins, ends or acts.
+def beam_extremes(model: Model, result: Forces | Result, *, deflected: bool) -> Array:
+    """Least value, its place, largest value, its place, (times, beams, quantities, 4), along elastic beams and the parts of
+    links: N, V, M in the plane, N, V2, V3, M2, M3, torque in space, N and N m, at fractions of their lengths; if `deflected`
+    then the size of the displacement, m. NaN where they are not known.
     """
-    k = int(values.argmax())
-    best = float(x[k]), float(values[k])
-    for first in (k - 2, k - 1, k):
-        if first < 0 or first + 2 >= len(x):
-            continue
-        (a, b, c), (fa, fb, fc) = x[first : first + 3], values[first : first + 3]
-        if min(b - a, c - b) < 1e-9 * (x[-1] - x[0]) or np.any((edges > a) & (edges < c)):
-            continue
-        rise, curved = (fb - fa) / (b - a), ((fc - fb) / (c - b) - (fb - fa) / (b - a)) / (c - a)
-        if curved >= 0:
-            continue
-        at = (a + b) / 2 - rise / (2 * curved)
-        if a < at < c and (value := fa + rise * (at - a) + curved * (at - a) * (at - b)) > best[1] * (1 + 1e-12):
-            best = float(at), float(value)
-    return best
+    system = compile(model)
+    beams: Any = cast(Any, system.continua).beams
+    case = getattr(result, "load_case", None) or str(result.provenance.get("load_case"))
+    xi = stations_of(system, case, _count(system))
+    known, count = quantities_shown(model.dim), len(quantities_shown(model.dim)) - 1 + deflected
+    if isinstance(result, Forces) and not known_positions(result):
+        return np.full((result.whole.sizes["time"], len(beams.names), count, 4), np.nan)
+    values = along_elements(model, result, xi, deflected=deflected)[0]
+    rows = [values[one.array] for one in known.values() if one.array]
+    rows = [one if one.ndim == 3 else one[..., own.component] for one, own in zip(rows, known.values(), strict=False)]
+    if deflected:
+        rows.append(np.linalg.norm(values["displacement"], axis=-1))
+    return extremes(xi, np.stack(rows, axis=2), _edges(system, xi))
 
 
 def _written(one: Curve, least: float) -> Curve:
-    """The curve with those extremes that are written: the larger of two with one sign, in the middle of a constant, none that is
-    small.
+    """The curve with those extremes that are written: the larger of two with one sign, in the middle of a constant, none that
+    is small.
     """
     chosen = [k for k in dict.fromkeys(one.extremes) if abs(one.values[k]) > least]
     if len(chosen) == 2 and one.values[chosen[0]] * one.values[chosen[1]] > 0:
@@ -311,3 +358,17 @@ def sentence(found: Curves) -> str:
     """What a picture of curves says of itself: the quantity with its sign, and parts without values."""
     words = f"{found.quantity.words[0].upper()}{found.quantity.words[1:]}: {found.quantity.sign}"
     return f"{words}; not known of {few(list(found.unknown), 4)}" if found.unknown else words
+
+
+def factor_of(found: Sequence[Curves], extent: float) -> float:
+    """How much of the structure, m, a unit of the quantity takes: the same in all pictures, so that they can be compared; a
+    round number of deflections.
+    """
+    largest = max((one.largest for one in found), default=0.0)
+    if not largest > 0:
+        return 0.0
+    factor = HIGHEST * (extent or 1.0) / largest
+    if found[0].show != "deflection":
+        return factor
+    power = 10.0 ** np.floor(np.log10(factor))
+    return float(power * max(step for step in (1, 2, 5) if step * power <= factor * (1 + 1e-9)))

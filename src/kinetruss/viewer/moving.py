@@ -133,6 +133,7 @@ def moving(
         "status": motion.status.value,
         "message": " ".join(filter(None, [motion.message, "" if run else motion.unchecked, *_not_held(run)])),
         "channels": channels,
+        "shows": shown_over(model, found, rounded=rounded),
         "over_run": over_run,
         "cases": described,
         "quantities": quantities,
@@ -195,14 +196,50 @@ def stress_of_faces(model: Model, position: NDArray[np.float64]) -> dict[str, ND
     return {} if found is None else {"skin_stress": found}
 
 
-def sections_of_beams(model: Model, result: Forces | Result) -> dict[str, NDArray[np.float64]]:
-    """``beam_section``, the `beam_sections` along elastic beams; nothing where they are many."""
+def sections_of_beams(model: Model, result: Forces | Result, *, at_rest: bool = False) -> dict[str, NDArray[np.float64]]:
+    """``beam_section``, the `beam_sections` along elastic beams, and ``beam_extreme``, their `beam_extremes`; nothing where
+    they are many. Of what its loads have moved from the model (`at_rest`, and `statics.linear`) also ``moved``, displacements of
+    nodes from ``unmoved``, and ``beam_moved``, those along beams at the same stations, m.
+    """
+    from kinetruss.mechanics import compile
+    from kinetruss.strength.beam_stresses import along_elements
     from kinetruss.strength.beam_verdict import beam_sections
+    from kinetruss.strength.curves import beam_extremes
 
     count = sum(beam.kind == "elastic" for beam in model.whole.beams.values())
     if not count or result.whole.sizes.get("time", 1) * count * STATIONS * 7 > MOST_SECTIONS:
         return {}
-    return {"beam_section": beam_sections(model, result, STATIONS)}
+    data, linear = result.whole, "displacement" in result.whole
+    found = {"beam_section": beam_sections(model, result, STATIONS)}
+    found["beam_extreme"] = beam_extremes(model, result, deflected=linear or at_rest)
+    if linear or at_rest:
+        place = data if "position" in data or linear else result.motion.whole
+        moved = data["displacement"].values if linear else place["position"].values - compile(model).x0[:, : model.dim]
+        found["moved"] = moved.reshape(-1, *moved.shape[-2:])
+        found["unmoved"] = compile(model).x0[None, :, : model.dim]
+        along = along_elements(model, result, np.linspace(0.0, 1.0, STATIONS), deflected=True)[0]
+        found["beam_moved"] = along["displacement"]
+    return found
+
+
+def shown_over(model: Model, found: Collection[str], *, rounded: bool) -> list[dict[str, Any]]:
+    """What the page can draw over the structure: `quantities_shown` of the arrays that are there; none of rounded curves."""
+    from kinetruss.strength.curves import quantities_shown
+
+    if rounded or "member_force" not in found or not ("joint_force" in found or "beam_section" in found):
+        return []
+    return [
+        {
+            "id": name,
+            "label": one.words[0].upper() + one.words[1:],
+            "unit": one.unit,
+            "sign": one.sign,
+            "axis": one.axis,
+            "side": one.side,
+        }
+        for name, one in quantities_shown(model.dim).items()
+        if ("moved" in found if name == "deflection" else name != "torque" or ("beam_section" in found and not model.hubs))
+    ]
 
 
 def _cut(forces: Forces, keep: NDArray[np.int64], motion: Motion) -> Forces:
@@ -224,7 +261,8 @@ def _forces(
     names = ("reaction", "drive_force", "energy", *(() if rounded else ("joint_force",)))
     found = {"member_force": middle_forces(model, forces)}
     found |= {name: data[name].values for name in names if name in data} | {"load_force": load_force}
-    found |= sections_of_beams(model, forces)
+    balanced = run is not None and run.definition.analysis == "statics.equilibrium"
+    found |= sections_of_beams(model, forces, at_rest=balanced)
     worst = worst_of(model, run.verdict) if rounded and run is not None and run.verdict is not None else {}
     found |= worst if rounded else strength_histories(model, forces)
     actions, acting = _actions(model, forces)

@@ -36,10 +36,10 @@ SIDE = 1e-9
 def support_marks(model: Model) -> list[dict[str, Any]]:
     """Node, ``kind`` of symbol and direction ``along`` (3,) of all supports of a model.
 
-    along : from the ground to the node; of rotations their axis, and zero of one about all axes. A node that is held in all translations is a ``pin``, with its
-    rotations a ``clamp``, which stands across the members that join it; else each direction that is held rigidly has a ``roller``
-    (also one that settles) or ``turn``, each elastic one a spring, each side of a gap its own mark. Where the direction may
-    count either way the ground is on the far side of the structure.
+    along : from the ground to the node; of rotations their axis, and zero of one about all axes. A node that is held in all
+    translations is a ``pin``, with its rotations a ``clamp``, which stands across the members that join it; else each direction
+    that is held rigidly has a ``roller`` (also one that settles) or ``turn``, each elastic one a spring, each side of a gap its
+    own mark. Where the direction may count either way the ground is on the far side of the structure.
 
     >>> import kinetruss as kt
     >>> beam = kt.Model(nodes={"A": (0, 0), "B": (2, 0)}, beams={"b": ("A", "B")}, section=kt.Rod(diameter=0.1),
@@ -55,10 +55,10 @@ def support_marks(model: Model) -> list[dict[str, Any]]:
     low, high = np.min([*at.values()], axis=0), np.max([*at.values()], axis=0)
     clamped = {name for name, to in whole.clamped.items() if to == GROUND}
     joined: dict[str, list[str]] = {}
-    for one, two in (member.ends for member in whole.members.values()):
-        if one in at and two in at:
-            joined.setdefault(one, []).append(two)
-            joined.setdefault(two, []).append(one)
+    for p, q in (member.ends for member in whole.members.values()):
+        if p in at and q in at:
+            joined.setdefault(p, []).append(q)
+            joined.setdefault(q, []).append(p)
     found = []
     for node in dict.fromkeys([*whole.fixed, *model.supports]):
         if node not in at:
@@ -66,7 +66,7 @@ def support_marks(model: Model) -> list[dict[str, Any]]:
         axes = np.eye(3)
         if (one := model.supports.get(node)) is not None:
             axes[:dim, :dim] = axes_of_support(model, node)
-            shifts, turns = one.shifts, one.turns_in(dim)
+            shifts, turns = dict[int, Any](one.shifts), one.turns_in(dim)
         else:
             shifts, turns = dict.fromkeys(("xyz".index(axis) for axis in whole.fixed[node]), None), {}
         every = len(shifts) == dim and all(way is None or way.stiffness is None for way in shifts.values())
@@ -104,7 +104,8 @@ def _turning(one: Restraint) -> str:
 
 def _upright(dim: int, away: Array) -> Array:
     """Upwards, or downwards for a node in the upper half, from which the structure hangs."""
-    return np.eye(3)[dim - 1] * (-1.0 if away[dim - 1] > 0 else 1.0)
+    up: Array = np.eye(3)[dim - 1]
+    return -up if away[dim - 1] > 0 else up
 
 
 def _into(ways: list[Array], upright: Array) -> Array:

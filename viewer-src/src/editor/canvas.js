@@ -20,7 +20,7 @@ export class Canvas {
   constructor(draw) {
     this.draw = draw;
     const layer = (name) => svg("g", { class: name });
-    this.layers = Object.fromEntries(["picture", "grid", "bodies", "curve", "apart", "bars", "marks", "nodes", "names", "rubber"].map((name) => [name, layer(name)]));
+    this.layers = Object.fromEntries(["picture", "grid", "bodies", "curve", "apart", "bars", "marks", "over", "nodes", "names", "rubber"].map((name) => [name, layer(name)]));
     this.node = svg("svg", { class: "drawing", tabindex: 0, role: "application", "aria-label": "drawing; arrow keys move the cursor, Enter draws there, Tab leaves" }, ...Object.values(this.layers));
     this.names = new Labels();
     this.legend = el("div", { class: "legend", hidden: true });
@@ -71,7 +71,7 @@ export class Canvas {
       circle.setAttribute("cy", y.toFixed(2));
       circle.classList.toggle("picked", picked.nodes.has(state.nodes[k]));
     });
-    if (shown.names && few) this.place(state, picked);
+    this.place(state, picked, shown.names && few);
     this.marks(state);
     this.draw.picture.place(this.layers.picture);
     this.draw.curves.place(this.layers.curve);
@@ -100,9 +100,11 @@ export class Canvas {
   }
 
   /** Names of nodes, of what is picked, and of members where there is room. */
-  place(state, picked) {
+  place(state, picked, named) {
     this.names.begin(this.seen);
-    this.labels.forEach((label, k) => this.names.node(label, this.seen[k]));
+    if (named) this.labels.forEach((label, k) => this.names.node(label, this.seen[k]));
+    this.draw.diagram.place(this.layers.over, this.names.taken);
+    if (!named) return;
     const order = state.members.map((_, k) => k).sort((a, b) => picked.members.has(state.members[b].name) - picked.members.has(state.members[a].name));
     for (const k of order) {
       const { name, ends, goes_on: more } = state.members[k], must = picked.members.has(name) && !more;

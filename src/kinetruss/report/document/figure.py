@@ -14,12 +14,12 @@ from kinetruss.report.document.run_pictures import lines_of
 from kinetruss.report.entries import Figure
 from kinetruss.report.pictures.drawing import drawn, round_length
 from kinetruss.report.pictures.labels import CROWDED, Label
-from kinetruss.report.pictures.over_structure import areas, factor_of, note, of_run, written
+from kinetruss.report.pictures.over_structure import areas, note, of_run, written
 from kinetruss.report.pictures.specs import ALARM, INK, QUIET, WIDTHS, Drawing
 from kinetruss.report.pictures.stands import arrows, drawing, middle, projected, stand, values_of
 from kinetruss.report.run_lines import shift_of
 from kinetruss.report.tables import cased, share_of, value_of
-from kinetruss.strength.curves import quantities_shown
+from kinetruss.strength.curves import factor_of, quantities_shown
 from kinetruss.viewer.places import Places
 from kinetruss.viewer.scenes import snapshots
 from kinetruss.viewer.support_marks import WORDS

@@ -144,13 +144,13 @@ def _area(ax: Any, area: Area) -> None:
 
 
 def _symbols(ax: Any, one: Stand) -> None:
-    """Supports by their symbols, those that look alike at once; a marker of matplotlib is as large as its farthest point says."""
+    """Supports by their symbols, those alike at once. A marker of matplotlib is as large as its farthest point."""
     alike: dict[tuple[str, tuple[float, ...]], list[Array]] = {}
     for kind, at, axes in one.supports:
         alike.setdefault((kind, tuple(axes.round(6).ravel().tolist())), []).append(at)
-    for (kind, axes), places in alike.items():
+    for (kind, across), places in alike.items():
         for line in SUPPORTS[kind]:
-            points = np.array(line) @ np.reshape(axes, (2, 2))
+            points = np.array(line) @ np.reshape(across, (2, 2))
             fill = "white" if line[0] == line[-1] and kind in ("pin", "roller") else "none"
             size = 2 * SYMBOL * float(np.abs(points).max())
             pen = {"color": INK, "markerfacecolor": fill, "markeredgewidth": 0.7, "linestyle": "none", "clip_on": False}

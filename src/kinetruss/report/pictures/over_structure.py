@@ -19,8 +19,6 @@ if TYPE_CHECKING:
     from kinetruss.strength.curves import Curves
 
 
-HIGHEST = 0.13
-"""Height of the largest value, of the structure."""
 LABELS = 40
 """Largest number of values that are written."""
 
@@ -34,25 +32,11 @@ def of_run(run: RunResult, show: str, case: str | None = None, sample: int = 0) 
     """
     if not run.forces:
         raise InputError(
-            f"There is no {show}: the run has no forces. Run dynamics.inverse, statics.linear or statics.equilibrium, and see what "
-            "its message says."
+            f"There is no {show}: the run has no forces. Run dynamics.inverse, statics.linear or statics.equilibrium, and see "
+            "what its message says."
         )
     forces = run.forces[case] if case is not None else next(iter(run.forces.values()))
     return curves(run.model, only(forces, sample), show, from_model=run.definition.analysis == "statics.equilibrium")
-
-
-def factor_of(found: Sequence[Curves], extent: float) -> float:
-    """How much of the structure, m, a unit of the quantity takes: the same in all pictures, so that they can be compared; a
-    round number of deflections.
-    """
-    largest = max((one.largest for one in found), default=0.0)
-    if not largest > 0:
-        return 0.0
-    factor = HIGHEST * (extent or 1.0) / largest
-    if found[0].show != "deflection":
-        return factor
-    power = 10.0 ** np.floor(np.log10(factor))
-    return float(power * max(step for step in (1, 2, 5) if step * power <= factor * (1 + 1e-9)))
 
 
 def areas(found: Curves, factor: float, view: str = "iso") -> list[Area]:

@@ -13,14 +13,14 @@ from kinetruss.errors import InputError
 from kinetruss.model import Model, nearest
 from kinetruss.report.pictures.draw import SUFFIXES, write
 from kinetruss.report.pictures.drawing import drawn
-from kinetruss.report.pictures.over_structure import areas, factor_of, note, of_run, written
+from kinetruss.report.pictures.over_structure import areas, note, of_run, written
 from kinetruss.report.pictures.specs import WIDTHS, Colouring
 from kinetruss.report.pictures.stands import VIEWS, drawing, projected, shown_at
 from kinetruss.results import Forces, Motion, Result, Simulation
 from kinetruss.results.records import check_samples
 from kinetruss.runs import RunResult
 from kinetruss.runs.mission_results import check_histories
-from kinetruss.strength.curves import Curves, curves, only
+from kinetruss.strength.curves import Curves, curves, factor_of, only
 from kinetruss.units import parse
 from kinetruss.viewer.places import Places
 from kinetruss.viewer.scenes import snapshots
@@ -60,7 +60,8 @@ def picture(
     colour : ``force``, ``stress`` or ``utilisation``; by default members are coloured by kind. The scale covers the whole
     run.
     show : draw over the structure, to one scale and with the largest values: in the plane ``N``, ``V``, ``M``; in space ``N``,
-    ``V2``, ``V3``, ``M2``, ``M3``, ``torque`` (also ``Vy``, ``Vz``, ``My``, ``Mz``, ``T``), by the axes of members; or ``deflection``.
+    ``V2``, ``V3``, ``M2``, ``M3``, ``torque`` (also ``Vy``, ``Vz``, ``My``, ``Mz``, ``T``) in member axes; or
+    ``deflection``.
     case : load case, by default the first.
     width : mm, or ``column`` (90 mm), ``page`` (190 mm). view : ``iso``, ``front``, ``side``, ``top``; parallel projection.
     ghost : the start pose in grey. paths : nodes whose path is drawn. loads : arrows of nodal forces. names : of nodes and

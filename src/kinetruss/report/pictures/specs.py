@@ -159,8 +159,8 @@ class Stand:
     of nodes; bodies as corners (k, 3, 2), m; faces of membranes and solids as corners (f, 3, 2), m, from back to front, with
     their brightness (f,), 0 to 1, and values (f,) of the colour quantity; motors (h, 2), m; supports as
     kind, place (2,), m, and axes x, y (2, 2) of their symbol;
-    arrows as pairs of a start and an end, m; band : the member that governs, and whether it is over its capacity; areas : curves
-    beside members.
+    arrows as pairs of a start and an end, m; band : the member that governs, and whether it is over its capacity; areas :
+    curves beside members.
     """
 
     caption: str
