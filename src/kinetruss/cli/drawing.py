@@ -89,11 +89,12 @@ def width(_ctx: click.Context, _option: click.Parameter, text: str | None) -> st
 @json_option
 @max_size_option
 def picture(what: Path, file: Path, at: list[float], colour: str | None, show: str | None, case: str | None,
-            width: str | float, view: str, ghost: bool, paths: tuple[str, ...], no_loads: bool, names: bool | None, title: str, as_json: bool,
-            max_size: int) -> None:  # fmt: skip
+            width: str | float, view: str, ghost: bool, paths: tuple[str, ...], no_loads: bool, names: bool | None,
+            title: str, as_json: bool, max_size: int) -> None:  # fmt: skip
     """Draw a model file, or a run folder at some instants, for print: vector lines and text, no pixels.
 
-    Driven members are green, supports have the usual symbols, loads purple arrows. For shaded pictures and films: kinetruss render.
+    Driven members are green, supports have the usual symbols, loads are purple arrows. For shaded pictures and films:
+    kinetruss render.
     """
     from kinetruss import report
     from kinetruss.cli.opening import loaded

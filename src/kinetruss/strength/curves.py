@@ -283,7 +283,7 @@ def extremes(x: Array, values: Array, edges: Array) -> Array:
     found = []
     width, whole = np.minimum(x[1:-1] - x[:-2], x[2:] - x[1:-1]), x[-1] - x[0]
     within = np.searchsorted(edges, x[2:], "left") - np.searchsorted(edges, x[:-2], "right")  # edges between both outer ones
-    smooth: NDArray[np.bool_] = (width > NEXT * whole) & (within == 0)
+    smooth: Any = (width > NEXT * whole) & (within == 0)
     for sign in (-1.0, 1.0):
         f = sign * np.nan_to_num(values)
         k = f.argmax(axis=-1)

@@ -198,7 +198,7 @@ def stress_of_faces(model: Model, position: NDArray[np.float64]) -> dict[str, ND
 
 def sections_of_beams(model: Model, result: Forces | Result, *, at_rest: bool = False) -> dict[str, NDArray[np.float64]]:
     """``beam_section``, the `beam_sections` along elastic beams, and ``beam_extreme``, their `beam_extremes`; nothing where
-    they are many. Of what its loads have moved from the model (`at_rest`, and `statics.linear`) also ``moved``, displacements of
+    they are many. Of what its loads have moved from the model (`at_rest`, `statics.linear`) also ``moved``, displacements of
     nodes from ``unmoved``, and ``beam_moved``, those along beams at the same stations, m.
     """
     from kinetruss.mechanics import compile

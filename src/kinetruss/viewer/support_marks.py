@@ -29,6 +29,8 @@ WORDS = {
     "turning gap": "gap of a rotation: an arc",
 }
 """What each symbol of `SUPPORTS` stands for."""
+LEVEL = 0.1
+"""Upward component of a direction up to which it is level, so that the ground is beside the structure and not below it."""
 SIDE = 1e-9
 """Share of the size of a structure by which a node lies on one side of its middle."""
 
@@ -39,7 +41,8 @@ def support_marks(model: Model) -> list[dict[str, Any]]:
     along : from the ground to the node; of rotations their axis, and zero of one about all axes. A node that is held in all
     translations is a ``pin``, with its rotations a ``clamp``, which stands across the members that join it; else each direction
     that is held rigidly has a ``roller`` (also one that settles) or ``turn``, each elastic one a spring, each side of a gap its
-    own mark. Where the direction may count either way the ground is on the far side of the structure.
+    own mark. Where the direction may count either way the ground is below, above nodes of the upper half, and of level
+    directions on the far side of the structure.
 
     >>> import kinetruss as kt
     >>> beam = kt.Model(nodes={"A": (0, 0), "B": (2, 0)}, beams={"b": ("A", "B")}, section=kt.Rod(diameter=0.1),
@@ -78,7 +81,7 @@ def support_marks(model: Model) -> list[dict[str, Any]]:
         if every:
             found.append((node, "pin", _upright(dim, away)))
         else:
-            found += [(node, kind, way) for k, held in shifts.items() for kind, way in _held(held, axes[k], away)]
+            found += [(node, kind, way) for k, held in shifts.items() for kind, way in _held(held, axes[k], dim, away)]
         turning = {k: _turning(held) for k, held in turns.items()}
         if len(turning) == 3 and len(set(turning.values())) == 1:
             turning, axes = {0: turning[0]}, np.zeros((3, 3))
@@ -86,10 +89,12 @@ def support_marks(model: Model) -> list[dict[str, Any]]:
     return [{"node": node, "kind": kind, "along": [float(v) + 0.0 for v in way]} for node, kind, way in found]
 
 
-def _held(one: Restraint | None, axis: Array, away: Array) -> Iterator[tuple[str, Array]]:
+def _held(one: Restraint | None, axis: Array, dim: int, away: Array) -> Iterator[tuple[str, Array]]:
     """The marks of a translation that is held: None stands for a rigid one."""
     if one is None or one.gap is None:
-        yield "roller" if one is None or one.stiffness is None else "spring", -axis if axis @ away > 0 else axis
+        level = abs(float(axis[dim - 1])) < LEVEL
+        turned = axis @ away > 0 if level else axis @ _upright(dim, away) < 0
+        yield "roller" if one is None or one.stiffness is None else "spring", -axis if turned else axis
         return
     below, above = one.gap
     if below is not None:
