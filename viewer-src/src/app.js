@@ -9,7 +9,7 @@ import { helpPage, listen } from "./keys.js";
 import { Legend } from "./legend.js";
 import { freeBodyOf } from "./mechanics.js";
 import { Names } from "./names.js";
-import { legendBoxes, Over } from "./over.js";
+import { legendBoxes, Over, unknownOf } from "./over.js";
 import { Table } from "./table.js";
 import { speedsOf, TimeBar, usualSpeed } from "./timebar.js";
 import { ToolBar } from "./toolbar.js";
@@ -219,7 +219,9 @@ export class App {
       view.request();
     });
     const large = chosen?.id === "deflection" ? `, drawn ${this.over.map((one) => number(one.factor(chosen))).join(" and ")} times as large` : "";
-    this.told.textContent = chosen ? `${chosen.label}: ${chosen.sign}${large}.` : "";
+    const unknown = chosen ? [...new Set(this.views.flatMap(({ scene, frame }) => unknownOf(scene, frame, chosen)))] : [];
+    const lacking = unknown.length ? `; not known of ${unknown.slice(0, 4).join(", ")}${unknown.length > 4 ? ` and ${unknown.length - 4} more` : ""}` : "";
+    this.told.textContent = chosen ? `${chosen.label}: ${chosen.sign}${large}${lacking}.` : "";
     this.bar.update();
   }
 

@@ -127,7 +127,18 @@ export function legendBoxes(node) {
 }
 
 /** Curves of all members at a frame, with nodes at `now`: {member, base, values, ways (a unit of the value), extremes (indices)}. */
-export function curvesOf(scene, frame, show, now = scene.nodes.map((_, node) => scene.position(frame, node))) {
+export function curvesOf(scene, frame, show, now) {
+  return everyCurve(scene, frame, show, now).filter(({ values }) => values.some(Boolean) && !values.some(Number.isNaN)).map((curve) => ({ ...curve, extremes: chosen(curve) }));
+}
+
+/** Names of members whose values are not known at a frame. */
+export function unknownOf(scene, frame, show) {
+  const known = new Map();
+  for (const { member, values } of everyCurve(scene, frame, show)) known.set(member, !values.some(Number.isNaN));
+  return scene.members.filter((_, member) => scene.shows(member) && !known.get(member) && !(show.id === "torque" && !scene.curves.row.has(member)));
+}
+
+function everyCurve(scene, frame, show, now = scene.nodes.map((_, node) => scene.position(frame, node))) {
   const least = show.unit === "m" ? 0 : ROUND_OFF * forceOf(scene) * (show.unit === "N m" ? scene.extent.size : 1);
   const bodies = new Set(scene.header.bodies.map(({ member }) => member)), beams = new Set(scene.header.beams);
   return scene.members.flatMap((_, member) => {
@@ -136,8 +147,7 @@ export function curvesOf(scene, frame, show, now = scene.nodes.map((_, node) => 
     if (row !== undefined) return scene.has("beam_section") ? [ofBeam(scene, frame, show, now, member, row)] : [];
     if (beams.has(member) || bodies.has(member)) return [];
     return show.id === "deflection" ? [ofEnds(scene, frame, member)] : ofBar(scene, frame, show, member);
-  }).map((curve) => ({ ...curve, values: curve.values.map((value) => (Math.abs(value) <= least ? 0 : value)) })).filter(({ values }) => values.some(Boolean) && !values.some(Number.isNaN))
-    .map((curve) => ({ ...curve, extremes: chosen(curve) }));
+  }).map((curve) => ({ ...curve, values: curve.values.map((value) => (Math.abs(value) <= least ? 0 : value)) }));
 }
 
 /** The larger of two extremes with one sign, in the middle of a constant. */

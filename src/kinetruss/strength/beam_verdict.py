@@ -126,22 +126,6 @@ def middle_forces(model: Model, result: Forces | Result) -> NDArray[np.float64]:
     return found
 
 
-def beam_sections(model: Model, result: Forces | Result, stations: int) -> NDArray[np.float64]:
-    """Section forces (times, beams, stations, values) of forces or of an equilibrium, at equal distances along elastic beams
-    and the parts of links: T, V2, M3 in the plane, T, V2, V3, M2, M3 and the torsion in space, N and N m, then von Mises'
-    stress, Pa; NaN where they are not known.
-    """
-    elements = sum(beam.kind == "elastic" for beam in model.whole.beams.values())
-    shape = (-1, elements, stations, 4 if model.dim == 2 else 7)
-    if isinstance(result, Forces) and not known_positions(result):
-        return np.full((len(result.arrays["time"].values), *shape[1:]), np.nan)
-    found, _, _ = along_elements(model, result, np.linspace(0.0, 1.0, stations))
-    names = ("section_T", "section_V", "section_M", "torsion", "von_mises")
-    parts = [found[name] for name in names if name in found]
-    several = [one if one.ndim > parts[0].ndim else one[..., None] for one in parts]
-    return np.asarray(np.concatenate(several, axis=-1)).reshape(shape)
-
-
 @cached()
 def stations_of(system: System, case: str, count: int) -> NDArray[np.float64]:
     """Sections at equal distances, and on both sides of the places where loads begin, end or act."""

@@ -16,6 +16,7 @@ from kinetruss.mechanics import System, compile
 from kinetruss.mechanics.beam_forces import beam_frames
 from kinetruss.model import nearest
 from kinetruss.model.beam_frames import owner_of
+from kinetruss.model.links import bends
 from kinetruss.results import Forces
 from kinetruss.strength.beam_stresses import along_elements, known_positions
 from kinetruss.strength.beam_verdict import SECTIONS, chord_of, stations_of
@@ -183,7 +184,8 @@ def curves(model: Model, forces: Forces, show: str, *, from_model: bool = False)
                  if not np.isnan(one.get(name, 0.0)).any()), default=0.0)  # fmt: skip
     reach = float(np.ptp(system.x0, axis=0).max())
     least = {"N": ROUND_OFF * force, "N m": ROUND_OFF * force * reach, "m": 0.0}[quantity.unit]
-    made, unknown = [], []
+    made = []
+    unknown = [name for name, one in model.bending.items() if not bends(model, one)]
     for part, member, x, edges, base, axes, values in found:
         if deflected:
             shift, size = values["displacement"], np.linalg.norm(values["displacement"], axis=1)
@@ -303,7 +305,7 @@ def extremes(x: Array, values: Array, edges: Array) -> Array:
             settled = settled | ((before == 1) & smooth[at] & (k > 0) & (k < len(x) - 1))
         found += [sign * best, place]
     every = np.stack(found, axis=-1)
-    return np.where(np.isnan(values).any(axis=-1)[..., None], np.nan, every)
+    return np.where(np.isnan(values).any(axis=-1, keepdims=True), np.nan, every)
 
 
 def _curve(part: str, member: int, x: Array, base: Array, shift: Array, values: Array, edges: Array) -> Curve:
@@ -322,24 +324,30 @@ def _curve(part: str, member: int, x: Array, base: Array, shift: Array, values: 
     return Curve(part=part, member=member, x=x, base=base, shift=shift, values=values, extremes=found)
 
 
-def beam_extremes(model: Model, result: Forces | Result, *, deflected: bool) -> Array:
-    """Least value, its place, largest value, its place, (times, beams, quantities, 4), along elastic beams and the parts of
-    links: N, V, M in the plane, N, V2, V3, M2, M3, torque in space, N and N m, at fractions of their lengths; if `deflected`
-    then the size of the displacement, m. NaN where they are not known.
+def beam_tables(model: Model, result: Forces | Result, stations: int, *, deflected: bool) -> dict[str, Array]:
+    """What a scene has of elastic beams and the parts of links; NaN where it is not known.
+
+    ``section`` (times, beams, stations, values) at equal distances, their number less 1 a divisor of 48: N, V, M in the plane,
+    N, V2, V3, M2, M3, torque in space, N and N m, then von Mises' stress, Pa. ``extreme`` (times, beams, quantities, 4) :
+    least value, its place, largest value, its place, as fractions, of the same but the stress, if `deflected` also of the size
+    of the displacement, m; then also ``moved`` (times, beams, stations, dim), m, the displacement.
     """
     system = compile(model)
     beams: Any = cast(Any, system.continua).beams
     case = getattr(result, "load_case", None) or str(result.provenance.get("load_case"))
-    xi = stations_of(system, case, _count(system))
-    known, count = quantities_shown(model.dim), len(quantities_shown(model.dim)) - 1 + deflected
+    xi, own = stations_of(system, case, _count(system)), [one for one in quantities_shown(model.dim).values() if one.array]
     if isinstance(result, Forces) and not known_positions(result):
-        return np.full((result.whole.sizes["time"], len(beams.names), count, 4), np.nan)
+        shape = result.whole.sizes["time"], len(beams.names)
+        found = {"section": np.full((*shape, stations, len(own) + 1), np.nan)}
+        return found | {"extreme": np.full((*shape, len(own) + deflected, 4), np.nan)}
     values = along_elements(model, result, xi, deflected=deflected)[0]
-    rows = [values[one.array] for one in known.values() if one.array]
-    rows = [one if one.ndim == 3 else one[..., own.component] for one, own in zip(rows, known.values(), strict=False)]
+    rows = [values[one.array] if values[one.array].ndim == 3 else values[one.array][..., one.component] for one in own]
+    few = np.searchsorted(xi, np.linspace(0.0, 1.0, stations) - NEXT)
+    found = {"section": np.stack([*rows, values["von_mises"]], axis=-1)[:, :, few]}
     if deflected:
         rows.append(np.linalg.norm(values["displacement"], axis=-1))
-    return extremes(xi, np.stack(rows, axis=2), _edges(system, xi))
+        found["moved"] = values["displacement"][:, :, few]
+    return found | {"extreme": extremes(xi, np.stack(rows, axis=2), _edges(system, xi))}
 
 
 def _written(one: Curve, least: float) -> Curve:

@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 from collections.abc import Collection, Mapping, Sequence
 from dataclasses import dataclass
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, cast
 
 import numpy as np
 import xarray as xr
@@ -197,28 +197,23 @@ def stress_of_faces(model: Model, position: NDArray[np.float64]) -> dict[str, ND
 
 
 def sections_of_beams(model: Model, result: Forces | Result, *, at_rest: bool = False) -> dict[str, NDArray[np.float64]]:
-    """``beam_section``, the `beam_sections` along elastic beams, and ``beam_extreme``, their `beam_extremes`; nothing where
-    they are many. Of what its loads have moved from the model (`at_rest`, `statics.linear`) also ``moved``, displacements of
-    nodes from ``unmoved``, and ``beam_moved``, those along beams at the same stations, m.
+    """``beam_section`` and ``beam_extreme``, the `beam_tables` of elastic beams; nothing where they are many. Of what its loads
+    have moved from the model (`at_rest`, `statics.linear`) also ``moved``, displacements of nodes from ``unmoved``, and
+    ``beam_moved``, those along beams at the same stations, m.
     """
     from kinetruss.mechanics import compile
-    from kinetruss.strength.beam_stresses import along_elements
-    from kinetruss.strength.beam_verdict import beam_sections
-    from kinetruss.strength.curves import beam_extremes
+    from kinetruss.strength.curves import beam_tables
 
     count = sum(beam.kind == "elastic" for beam in model.whole.beams.values())
     if not count or result.whole.sizes.get("time", 1) * count * STATIONS * 7 > MOST_SECTIONS:
         return {}
-    data, linear = result.whole, "displacement" in result.whole
-    found = {"beam_section": beam_sections(model, result, STATIONS)}
-    found["beam_extreme"] = beam_extremes(model, result, deflected=linear or at_rest)
-    if linear or at_rest:
-        place = data if "position" in data or linear else result.motion.whole
-        moved = data["displacement"].values if linear else place["position"].values - compile(model).x0[:, : model.dim]
-        found["moved"] = moved.reshape(-1, *moved.shape[-2:])
-        found["unmoved"] = compile(model).x0[None, :, : model.dim]
-        along = along_elements(model, result, np.linspace(0.0, 1.0, STATIONS), deflected=True)[0]
-        found["beam_moved"] = along["displacement"]
+    linear = "displacement" in result.whole
+    found = {f"beam_{name}": one for name, one in beam_tables(model, result, STATIONS, deflected=linear or at_rest).items()}
+    if "beam_moved" in found:
+        start = compile(model).x0[None, :, : model.dim]
+        place = result.whole if linear or "position" in result.whole else cast("Forces", result).motion.whole
+        moved = place["displacement"].values if linear else place["position"].values - start
+        found |= {"unmoved": start, "moved": moved.reshape(-1, *start.shape[1:])}
     return found
 
 

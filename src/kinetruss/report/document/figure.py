@@ -42,8 +42,8 @@ all of them are named.
 """
 TALLEST, SMALL, LOW = 4.6, 2.1, 3.4
 """Largest height of the structure, inches: at most half of a sheet; in a summary; of the deflected shape."""
-BESIDE = 2
-"""Number of section forces beside each other over the structure."""
+BESIDE, DRAWN = 2, 200
+"""Number of section forces beside each other over the structure; number of beams and links up to which they are drawn."""
 SHARE = 0.1
 """Size of the largest drawn displacement at most, of the structure."""
 
@@ -100,7 +100,8 @@ def over_structure(run: RunResult, record: Mapping[str, Any]) -> list[Entry]:
     """Section forces over the structure at the governing instant, those that are not zero; nothing without beams and links that
     bend, or where nothing is known of them.
     """
-    if not run.good or not run.forces or not any(bends(run.model, one) for one in run.model.bending.values()):
+    bent = sum(bends(run.model, one) for one in run.model.bending.values())
+    if not run.good or not run.forces or not 0 < bent <= DRAWN:
         return []
     case, k = _chief(run, record)
     found = [of_run(run, show, case, k) for show in quantities_shown(run.model.dim) if show != "deflection"]
