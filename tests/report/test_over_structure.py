@@ -6,6 +6,7 @@ import pytest
 from click.testing import CliRunner
 
 import frames
+import kinetruss as kt
 from kinetruss import io, report
 from kinetruss.cli import main
 from kinetruss.errors import InputError
@@ -62,3 +63,11 @@ def test_a_report_has_the_governing_case_over_the_structure(portal):
         one = max((one for one in found.curves if one.extremes), key=lambda one: abs(one.values[list(one.extremes)]).max())
         value = max((one.values[k] for k in one.extremes), key=abs) / 1e3
         assert f"{value:.4g} {unit}" in text
+
+
+def test_an_equilibrium_has_the_deflection_of_small_displacements_where_they_are_small():
+    here = {"rest": kt.Run(analysis="statics.equilibrium")}
+    bent = of_run(run(frames.simple(runs=here), "rest"), "deflection")
+    assert bent.largest == pytest.approx(of_run(run(frames.simple(), "rest"), "deflection").largest, rel=1e-4)
+    (one,) = bent.curves
+    assert one.base[:, 1] == pytest.approx(0.0, abs=1e-12)  # drawn from the beam without loads

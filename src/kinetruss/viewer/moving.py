@@ -196,6 +196,11 @@ def stress_of_faces(model: Model, position: NDArray[np.float64]) -> dict[str, ND
     return {} if found is None else {"skin_stress": found}
 
 
+def in_equilibrium(run: RunResult, case: str) -> bool:
+    """Whether the loads alone have moved the positions of a run from those of its model."""
+    return case in run.statics and run.statics[case].attrs.get("kind") == "equilibrium"
+
+
 def sections_of_beams(model: Model, result: Forces | Result, *, at_rest: bool = False) -> dict[str, NDArray[np.float64]]:
     """``beam_section`` and ``beam_extreme``, the `beam_tables` of elastic beams; nothing where they are many. Of what its loads
     have moved from the model (`at_rest`, `statics.linear`) also ``moved``, displacements of nodes from ``unmoved``, and
@@ -256,8 +261,7 @@ def _forces(
     names = ("reaction", "drive_force", "energy", *(() if rounded else ("joint_force",)))
     found = {"member_force": middle_forces(model, forces)}
     found |= {name: data[name].values for name in names if name in data} | {"load_force": load_force}
-    balanced = run is not None and run.definition.analysis == "statics.equilibrium"
-    found |= sections_of_beams(model, forces, at_rest=balanced)
+    found |= sections_of_beams(model, forces, at_rest=run is not None and in_equilibrium(run, forces.load_case))
     worst = worst_of(model, run.verdict) if rounded and run is not None and run.verdict is not None else {}
     found |= worst if rounded else strength_histories(model, forces)
     actions, acting = _actions(model, forces)

@@ -13,6 +13,7 @@ from kinetruss.report.pictures.labels import CROWDED, Label
 from kinetruss.report.pictures.specs import INK, Area
 from kinetruss.report.pictures.stands import projected
 from kinetruss.strength.curves import curves, only, sentence
+from kinetruss.viewer.moving import in_equilibrium
 
 if TYPE_CHECKING:
     from kinetruss.runs import RunResult
@@ -36,7 +37,7 @@ def of_run(run: RunResult, show: str, case: str | None = None, sample: int = 0) 
             "what its message says."
         )
     forces = run.forces[case] if case is not None else next(iter(run.forces.values()))
-    return curves(run.model, only(forces, sample), show, from_model=run.definition.analysis == "statics.equilibrium")
+    return curves(run.model, only(forces, sample), show, from_model=in_equilibrium(run, forces.load_case))
 
 
 def areas(found: Curves, factor: float, view: str = "iso") -> list[Area]:
