@@ -74,8 +74,8 @@ export class App {
       el("div", { class: "scale" }, `grid ${quantity(views[k].step, "m")}`)));
     this.told = el("p", { class: "told", role: "note", "aria-live": "polite" });
     this.panel = el("aside", { class: "panel" }, this.inspector.node, this.table.node);
-    this.stage = el("div", { class: "stage" }, el("div", { class: "panes" }, panes), this.legend.node, this.told);
-    if (this.flat) this.stage.append(el("p", { class: "note" }, "This browser has no WebGL: a plain picture, turned by the buttons."));
+    this.stage = el("div", { class: "stage" }, el("div", { class: "panes" }, panes), this.legend.node,
+      el("div", { class: "said" }, this.flat ? el("p", { class: "note" }, "This browser has no WebGL: a plain picture, turned by the buttons.") : null, this.told));
     this.help = helpPage(this);
     this.root.replaceChildren(this.bar.node, this.verdict.node, el("main", {}, this.side, this.stage, this.panel), this.time.node, this.help);
   }

@@ -117,10 +117,10 @@ function placesAbout({ tip, foot }, wide, high) {
   return [1, 2].flatMap((far) => AROUND.toSorted((a, b) => along(b) - along(a)).map(([x, y]) => [tip[0] + x * (wide / 2 + 3 * far), tip[1] + y * (high / 2 + 4 * far)]));
 }
 
-/** Where the legends beside a picture are. */
+/** Where the legend of a picture is, and the line on its diagram. */
 export function legendBoxes(node) {
   const offset = node.getBoundingClientRect();
-  return [...(node.closest(".stage")?.querySelectorAll(".legend") || [])].filter((one) => !one.hidden).map((one) => {
+  return [...(node.closest(".stage")?.querySelectorAll(".legend, .told") || [])].filter((one) => !one.hidden).map((one) => {
     const box = one.getBoundingClientRect();
     return [box.left - offset.left, box.top - offset.top, box.right - offset.left, box.bottom - offset.top];
   });

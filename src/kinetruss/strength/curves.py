@@ -55,7 +55,7 @@ N = Quantity(
 PLANE = {
     "N": N,
     "V": Quantity(words="shear force V", unit="N", array="section_V",
-                  sign=f"drawn to {LEFT} if it is positive: the part behind a section pushes the part before it to that side"),
+                  sign=f"drawn to {LEFT} if it is positive, where the part behind a section pushes the part before it"),
     "M": Quantity(words="bending moment M", unit="N m", array="section_M", side=-1,
                   sign="drawn on the side in tension; positive if that is the right of the member as seen from its first end"),
 }  # fmt: skip
