@@ -164,7 +164,7 @@ def curves(model: Model, forces: Forces, show: str, *, from_model: bool = False)
     >>> run = kt.run(beam)
     >>> (found,) = curves(run.model, run.forces["all"], "M").curves
     >>> [(round(found.x[k].item(), 9), round(found.values[k].item(), 9)) for k in found.extremes]
-    [(1.0, 200.0)]
+    [(1.0, 400.0)]
     """
     known = quantities_shown(model.dim)
     show = {"V2": "V", "M3": "M", "Vy": "V", "Mz": "M"}.get(show, show) if model.dim == 2 else ALSO.get(show, show)
@@ -232,14 +232,13 @@ def _of_beams(model: Model, system: System, forces: Forces, *, deflected: bool) 
     known = known_positions(forces)
     values = along_elements(model, forces, xi, deflected=deflected)[0] if known else {}
     at = np.zeros((1, *system.x0.shape))
-    at[..., : model.dim] = forces.motion.whole["position"].values
+    # deflections are drawn from the place without loads
+    at[..., : model.dim] = system.x0[:, : model.dim] if deflected else forces.motion.whole["position"].values
     base = np.einsum("kgv,kvc->kgc", beams.along(xi), at[0][beams.nodes])[..., : model.dim]
     frame = beam_frames(beams, at)[0]
     for k, name in enumerate(beams.names):
         own = {key: one[0, k] for key, one in values.items() if one.ndim >= 3 and one.shape[2] == len(xi)}
         own = own or {key: np.full(len(xi), np.nan) for key in ("section_T", "section_V", "section_M", "torsion")}
-        if deflected and known and "displacement" not in forces.arrays:  # positions that the loads have moved
-            base[k] -= own["displacement"]
         member, owner = system.members.index(chord_of(name)), owner_of(name, model.whole.beams[name]).name
         yield owner, member, xi * float(beams.length[k]), edges * float(beams.length[k]), base[k], frame[k], own
 
