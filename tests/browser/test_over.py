@@ -98,7 +98,7 @@ def test_the_drawing_draws_them_on_request_and_never_those_before_an_edit(show, 
         assert kinds == ["A pin", "B roller"]
         shown.page.select_option("select[aria-label=diagram]", "M")
         shown.until("kinetruss.draw.diagram.found")
-        text = "[...document.querySelectorAll('.drawing .over text')].map((one) => one.textContent)"
+        text = "[...document.querySelectorAll('.drawing .diagram text')].map((one) => one.textContent)"
         assert shown.page.evaluate(text) == ["20 kN m"]
         assert "side in tension" in shown.page.locator(".told").inner_text()
         # a load twice as large; between the edit and the answer nothing is shown

@@ -14,7 +14,7 @@ const AROUND = [[0, 1], [0, -1], [1, 0], [-1, 0], [1, 1], [-1, 1], [1, -1], [-1,
 export class Over {
   constructor(view) {
     this.view = view;
-    this.node = svg("svg", { class: "over", "aria-hidden": true });
+    this.node = svg("svg", { class: "diagram", "aria-hidden": true });
     this.labels = [];
     this.boxes = [];
     this.factors = new Map();

@@ -20,7 +20,7 @@ export class Canvas {
   constructor(draw) {
     this.draw = draw;
     const layer = (name) => svg("g", { class: name });
-    this.layers = Object.fromEntries(["picture", "grid", "bodies", "curve", "apart", "bars", "marks", "over", "nodes", "names", "rubber"].map((name) => [name, layer(name)]));
+    this.layers = Object.fromEntries(["picture", "grid", "bodies", "curve", "apart", "bars", "marks", "diagram", "nodes", "names", "rubber"].map((name) => [name, layer(name)]));
     this.node = svg("svg", { class: "drawing", tabindex: 0, role: "application", "aria-label": "drawing; arrow keys move the cursor, Enter draws there, Tab leaves" }, ...Object.values(this.layers));
     this.names = new Labels();
     this.legend = el("div", { class: "legend", hidden: true });
@@ -103,7 +103,7 @@ export class Canvas {
   place(state, picked, named) {
     this.names.begin(this.seen);
     if (named) this.labels.forEach((label, k) => this.names.node(label, this.seen[k]));
-    this.draw.diagram.place(this.layers.over, this.names.taken);
+    this.draw.diagram.place(this.layers.diagram, this.names.taken);
     if (!named) return;
     const order = state.members.map((_, k) => k).sort((a, b) => picked.members.has(state.members[b].name) - picked.members.has(state.members[a].name));
     for (const k of order) {
