@@ -8,6 +8,7 @@ import sys
 import tempfile
 from collections.abc import Callable
 from functools import cache
+from itertools import pairwise
 from pathlib import Path
 from typing import Any
 
@@ -87,6 +88,34 @@ def render(path: Path) -> None:
 def isolator(path: Path) -> None:
     """The isolator with its beam."""
     kt.report.picture(kt.read(EXAMPLES["isolator_beam"][0]), path, width=90)
+
+
+def moments(path: Path) -> None:
+    """Bending moments of the portal frame of docs/pictures.md."""
+    frame = kt.Model(
+        nodes={"A": (0, 0), "B": (0, 4), "C": (6, 4), "D": (6, 0)}, material="steel_s235",
+        section=kt.Rectangle(width=0.1, height=0.2), clamped=["A"], fixed=["D"],
+        beams={"left": ("A", "B"), "rafter": ("B", "C"), "right": ("D", "C")},
+        loads={"wind": kt.NodalForce(node="B", force=("15 kN", 0))}, runs={"rest": kt.Run(analysis="statics.linear")},
+    )  # fmt: skip
+    kt.report.picture(kt.run(frame), path, show="M", width=110)
+
+
+def supports(path: Path) -> None:
+    """A row of beams with a support of every kind."""
+    names = "ABCDEFGHI"
+    contact, soft = "1 MN/mm", "50 kN m/rad"
+    held = {
+        "A": kt.Support(x="held", y="held", rotation="held"), "B": kt.Support(x="held", y="held"), "C": kt.Support(y="held"),
+        "D": kt.Support(y="held", turned="30 deg"), "E": kt.Support(y="2 kN/mm"), "F": kt.Support(y="2 kN/mm", rotation=soft),
+        "G": kt.Support(y={"stiffness": contact, "gap": (0, None)}), "H": kt.Support(y="held", rotation="held"),
+        "I": kt.Support(rotation={"stiffness": soft, "gap": "1 mrad"}),
+    }  # fmt: skip
+    row = kt.Model(
+        nodes={name: (2.0 * k, 0.0) for k, name in enumerate(names)}, supports=held, material="steel_s235",
+        beams={f"b{a}": (a, b) for a, b in pairwise(names)}, section=kt.Rectangle(width=0.1, height=0.2),
+    )  # fmt: skip
+    kt.report.picture(row, path, width="page", names=False)
 
 
 @cache
@@ -189,6 +218,8 @@ PICTURES: dict[str, Callable[[Path], None]] = {
     "picture": picture,
     "render": render,
     "isolator_beam": isolator,
+    "moments": moments,
+    "supports": supports,
     "compare_stress": compare("von_mises", "follower"),
     "compare_components": compare("components", "follower", "10kg"),
     "compare_motion": compare("motion", "actuator", "10kg"),

@@ -45,7 +45,7 @@ def test_drawings_and_figures_have_beams_and_no_frames(tmp_path):
     ends = {frozenset((tuple(line[0]), tuple(line[-1]))) for line in stand.lines}
     found = dict(zip(run.model.whole.nodes, run.motion.whole["position"].values[0], strict=True))
     assert ends == {frozenset((tuple(found[a]), tuple(found[b]))) for a, b in ("AB", "BC", "AD")}
-    assert {kind: len(nodes) for kind, nodes in stand.supports.items()} == {"clamped": 1, "held": 1, "guided": 0}
+    assert sorted(kind for kind, *_ in stand.supports) == ["clamp", "pin"]
     assert stand.dots.shape == (4, 2)
 
 

@@ -3,12 +3,13 @@
 import { limitsOf } from "./colour.js";
 import { el } from "./dom.js";
 import { FlatView } from "./flat.js";
-import { quantity } from "./format.js";
+import { number, quantity } from "./format.js";
 import { diagramsOf, Inspector } from "./inspector.js";
 import { helpPage, listen } from "./keys.js";
 import { Legend } from "./legend.js";
 import { freeBodyOf } from "./mechanics.js";
 import { Names } from "./names.js";
+import { legendBoxes, Over, unknownOf } from "./over.js";
 import { Table } from "./table.js";
 import { speedsOf, TimeBar, usualSpeed } from "./timebar.js";
 import { ToolBar } from "./toolbar.js";
@@ -16,6 +17,7 @@ import { movingNodes } from "./traces.js";
 import { Verdict } from "./verdict.js";
 import { hasWebGL, View } from "./view.js";
 
+const MARGIN = 24; // CSS pixels at the rim of a picture in which no diagram ends
 const SWING = 0.08; // amplitude of a mode, of the size of the structure
 
 /** Whether a structure is one of bodies only: no member has a section, and rigid bars form triangles. */
@@ -37,6 +39,8 @@ export class App {
     const duration = this.lead.time[this.lead.frames - 1] - this.lead.time[0];
     Object.assign(this, { speeds: speedsOf(duration), speed: usualSpeed(duration) });
     const canvases = scenes.map((scene, k) => el("canvas", { tabindex: 0, role: "img", "aria-label": `picture of ${labels[k] || scene.header.title || "the model"}` }));
+    this.diagram = null;
+    this.offered = [...new Map(scenes.flatMap((scene) => scene.header.shows || []).map((one) => [one.id, one])).values()];
     this.flat = !hasWebGL();
     const Kind = this.flat ? FlatView : View;
     this.views = scenes.map((scene, k) => new Kind(canvases[k], scene, this.theme));
@@ -64,12 +68,14 @@ export class App {
     this.inspector = new Inspector(this);
     this.table = new Table(this);
     this.names = views.map((view) => new Names(view));
-    const panes = canvases.map((canvas, k) => el("div", { class: "pane" }, canvas, this.names[k].node,
+    this.over = views.map((view) => new Over(view));
+    const panes = canvases.map((canvas, k) => el("div", { class: "pane" }, canvas, this.over[k].node, this.names[k].node,
       views.length > 1 ? el("div", { class: "label" }, this.labels[k]) : null,
       el("div", { class: "scale" }, `grid ${quantity(views[k].step, "m")}`)));
+    this.told = el("p", { class: "told", role: "note", "aria-live": "polite" });
     this.panel = el("aside", { class: "panel" }, this.inspector.node, this.table.node);
-    this.stage = el("div", { class: "stage" }, el("div", { class: "panes" }, panes), this.legend.node);
-    if (this.flat) this.stage.append(el("p", { class: "note" }, "This browser has no WebGL: a plain picture, turned by the buttons."));
+    this.stage = el("div", { class: "stage" }, el("div", { class: "panes" }, panes), this.legend.node,
+      el("div", { class: "said" }, this.flat ? el("p", { class: "note" }, "This browser has no WebGL: a plain picture, turned by the buttons.") : null, this.told));
     this.help = helpPage(this);
     this.root.replaceChildren(this.bar.node, this.verdict.node, el("main", {}, this.side, this.stage, this.panel), this.time.node, this.help);
   }
@@ -80,7 +86,10 @@ export class App {
     this.views.forEach((view, k) => {
       watch.observe(view.canvas.parentElement);
       view.onCamera = () => this.follow(view);
-      view.onDrawn = () => this.names[k].place(this.shown.names);
+      view.onDrawn = () => {
+        this.over[k].place(this.diagram);
+        this.names[k].place(this.shown.names, this.over[k].boxes);
+      };
       let down = null;
       view.canvas.addEventListener("pointerdown", (event) => (down = [event.clientX, event.clientY]));
       view.canvas.addEventListener("pointerup", (event) => {
@@ -197,12 +206,37 @@ export class App {
     this.inspector.update();
   }
 
+  /** What is drawn over the structure, of those that a picture has; "": nothing. */
+  setDiagram(id) {
+    const chosen = this.offered.find((one) => one.id === id) || null;
+    this.diagram = chosen;
+    this.views.forEach((view, k) => {
+      view.beside = this.over[k].reach(chosen);
+      const { clientWidth: width, clientHeight: height } = view.canvas;
+      const [legend] = legendBoxes(this.over[k].node);
+      const outside = ([x, y]) => (legend && x < legend[2] && y < legend[3]) || x < MARGIN || y < MARGIN || x > width - MARGIN || y > height - MARGIN;
+      if (view.beside.some((point) => outside(view.project(point)))) view.aim(view.preset);
+      view.request();
+    });
+    const large = chosen?.id === "deflection" ? `, drawn ${this.over.map((one) => number(one.factor(chosen))).join(" and ")} times as large` : "";
+    const unknown = chosen ? [...new Set(this.views.flatMap(({ scene, frame }) => unknownOf(scene, frame, chosen)))] : [];
+    const lacking = unknown.length ? `; not known of ${unknown.slice(0, 4).join(", ")}${unknown.length > 4 ? ` and ${unknown.length - 4} more` : ""}` : "";
+    this.told.textContent = chosen ? `${chosen.label}: ${chosen.sign}${large}${lacking}.` : "";
+    this.bar.update();
+  }
+
+  nextDiagram(by) {
+    const ids = ["", ...this.offered.map((one) => one.id)];
+    this.setDiagram(ids[(ids.indexOf(this.diagram?.id || "") + by + ids.length) % ids.length]);
+  }
+
   setCase(name) {
     for (const view of this.views) if (view.scene.choose(name)) view.rebuildLoads();
     this.setChannel(this.channel?.id || "");
     this.apply();
     this.inspector.show();
     this.goTo(this.index);
+    if (this.diagram) this.setDiagram(this.diagram.id);
   }
 
   nextCase() {

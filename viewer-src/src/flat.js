@@ -5,6 +5,7 @@ import { KINDS, LOAD, THEMES } from "./display.js";
 import { niceStep } from "./format.js";
 import { bodyAt, PRESSURE } from "./marks.js";
 import { Picture, PRESETS } from "./picture.js";
+import { symbolAt, symbolSize } from "./supports.js";
 import { Traces } from "./traces.js";
 
 const shown = () => ({ visible: true });
@@ -157,12 +158,8 @@ export class FlatView extends Picture {
       pen.fillStyle = colour;
       pen.fill();
     };
-    if (this.supports.mesh.visible) for (const { node } of scene.header.supports) {
-      const [x, y] = places[node];
-      pen.fillStyle = colours.support;
-      pen.beginPath();
-      for (const [dx, dy] of [[0, 0], [7, 12], [-7, 12]]) pen.lineTo(x + dx, y + dy);
-      pen.fill();
+    if (this.supports.mesh.visible) for (const mark of scene.header.support_marks) {
+      for (const one of symbolAt(mark, this.now[mark.node], symbolSize(scene))) line(pen, one.map((point) => this.project(point)), colours.support, 1.5);
     }
     if (scene.members.length < 800) places.forEach((place, node) => !scene.directors.has(node) && dot(place, this.picked?.type === "node" && this.picked.index === node ? 6 : 3, colours.node));
     for (const drive of scene.header.drives) {

@@ -15,6 +15,7 @@ export const KEYS = [
   ]],
   ["What is shown", [
     ["c", "next colour (Shift: previous)", (app, event) => app.nextChannel(event.shiftKey ? -1 : 1)],
+    ["s", "next diagram over the structure (Shift: previous)", (app, event) => app.nextDiagram(event.shiftKey ? -1 : 1)],
     ["e", "next load case", (app) => app.nextCase()],
     ["m", "next mode or mechanism", (app) => app.nextMode()],
     ["g", "start pose as a ghost", (app) => app.toggle("ghost")],
@@ -89,7 +90,7 @@ export function helpPage(app) {
   const lists = known.map(([title, rows]) => el("div", {}, el("h3", {}, title), el("dl", {}, rows.map(([name, words, , shown]) => [el("dt", {}, el("kbd", {}, shown || name.toUpperCase())), el("dd", {}, words)]).flat())));
   const close = el("button", { type: "button", onclick: () => app.toggleHelp() }, app.hint("Close", "Esc"));
   const hands = app.touch ? `${flat ? "Drag to shift, two fingers to approach" : "Drag to turn, two fingers to shift and approach"}, tap to pick.` : `${flat ? "Drag to shift" : "Drag to turn, right-drag to shift"}, wheel to approach, click to pick.`;
-  const marks = `Bars thinner than a hundredth of the usual length are drawn thicker, to be seen. Green: what moves by itself (collars at the screw, rings at motors). Cones: supports. Violet arrows: loads. Striped: not checked, or a force that is not unique. ${hands}`;
+  const marks = `Bars thinner than a hundredth of the usual length are drawn thicker, to be seen. Green: what moves by itself (collars at the screw, rings at motors). Hatched: supports. Violet arrows: loads. Striped: not checked, or a force that is not unique. ${hands}`;
   // the button is the only thing in it that takes the focus: it keeps it until the page is closed
   const kept = (event) => {
     if (event.key !== "Tab") return;

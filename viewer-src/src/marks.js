@@ -8,46 +8,52 @@ import { piecesOf } from "./beams.js";
 import { KINDS, LOAD } from "./display.js";
 import { niceStep } from "./format.js";
 import { edgesOf } from "./skins.js";
-import { arrow, cones, moved, placeAlong, placeArrow, placeSphere, ring, spheres } from "./shapes.js";
+import { arrow, cones, cylinder, moved, placeAlong, placeArrow, placeSphere, ring, spheres } from "./shapes.js";
+import { symbolAt, symbolSize } from "./supports.js";
 
 const DRIVE = KINDS.driven, BODY = "#3f4a55";
 export const PRESSURE = 0.3; // of the length of other arrows: many stand beside each other
 const AXES = { x: [1, 0, 0], y: [0, 1, 0], z: [0, 0, 1] };
 
-/** Cones whose tips touch the nodes held: one upright where all axes are held, else one along each held direction. */
+/** Symbols of supports: triangles as cones whose tips touch the nodes, lines as thin rods. */
 export class Supports {
-  constructor(scene, size) {
-    Object.assign(this, { scene, size });
-    const all = "xyz".slice(0, scene.dim);
-    const upright = scene.dim === 2 ? 1 : 2;
-    this.cones = scene.header.supports.flatMap(({ node, axes, towards: own }) => {
-      if (own) return own.map((towards) => ({ node, towards }));
-      if ([...axes].sort().join("") !== all) return [...axes].map((axis) => ({ node, towards: AXES[axis] }));
-      const towards = [0, 0, 0];
-      // on the far side of the structure, so that a hanging one hangs from its supports
-      towards[upright] = scene.position(0, node)[upright] > scene.extent.centre[upright] + 1e-9 ? -1 : 1;
-      return [{ node, towards }];
-    });
-    this.mesh = cones(this.cones.length, 4, "#ffffff");
+  constructor(scene) {
+    Object.assign(this, { scene, size: symbolSize(scene) });
+    this.marks = scene.header.support_marks;
+    this.pointed = this.marks.filter(({ kind }) => coned(kind));
+    const pieces = this.marks.reduce((count, mark) => count + this.rodsOf(mark, [0, 0, 0]).length, 0);
+    this.cones = cones(this.pointed.length, 4, "#ffffff");
+    this.rods = cylinder(pieces, 6);
+    this.mesh = new Group();
+    this.mesh.add(this.cones, this.rods);
   }
 
-  /** Middles of the bases of the cones at a frame. */
+  /** Straight pieces of a symbol at a place, but those of its cone. */
+  rodsOf(mark, at) {
+    return symbolAt(mark, at, this.size).filter((_, k) => k > 0 || !coned(mark.kind)).flatMap(piecesOf);
+  }
+
+  /** The ground of the symbols at a frame. */
   feet(frame) {
-    return this.cones.map(({ node, towards }) => this.scene.position(frame, node).map((x, i) => x - this.size * towards[i]));
+    return this.marks.map(({ node, along }) => this.scene.position(frame, node).map((x, i) => x - this.size * along[i]));
   }
 
   setTheme({ support }) {
-    this.mesh.material.color.set(support);
+    for (const mesh of this.mesh.children) mesh.material.color.set(support);
   }
 
   place(points) {
-    this.cones.forEach(({ node, towards }, k) => {
-      const tip = points[node], foot = tip.map((x, i) => x - this.size * towards[i]);
-      placeAlong(this.mesh, k, foot, tip, 0.55 * this.size);
+    this.pointed.forEach((mark, k) => {
+      const [[tip, left, right]] = symbolAt(mark, points[mark.node], this.size);
+      placeAlong(this.cones, k, left.map((x, i) => (x + right[i]) / 2), tip, 0.5 * this.size);
     });
-    moved(this.mesh);
+    this.marks.flatMap((mark) => this.rodsOf(mark, points[mark.node])).forEach(([p, q], k) => placeAlong(this.rods, k, p, q, 0.045 * this.size));
+    moved(this.cones);
+    moved(this.rods);
   }
 }
+
+const coned = (kind) => kind === "pin" || kind === "roller";
 
 /** Arrows of the loads, the longest of all times a fifth of the structure. */
 export class Loads {

@@ -13,8 +13,8 @@ export class Names {
     this.node = el("div", { class: "names", "aria-hidden": true });
   }
 
-  /** Put the names where their nodes and members are now. */
-  place(shown) {
+  /** Put the names where their nodes and members are now. covered : boxes that others have taken. */
+  place(shown, covered = []) {
     this.node.hidden = !shown || this.view.scene.members.length > MOST;
     if (this.node.hidden) return;
     const { scene, now } = this.view;
@@ -22,6 +22,7 @@ export class Names {
     const points = now.map((point) => this.view.project(point));
     const offset = this.node.getBoundingClientRect(), taken = new Taken(offset.width, offset.height);
     for (const one of this.node.closest(".stage")?.querySelectorAll(".legend") || []) taken.add(around(one, offset));
+    for (const box of covered) taken.add(box);
     for (const { tag, type, index } of this.order()) {
       const places = type === "node" ? besides(points[index], tag) : along(this.view.along(index, points), tag);
       // where it was before comes first, so that names do not jump

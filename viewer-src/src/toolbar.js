@@ -25,11 +25,13 @@ export class ToolBar {
     const { cases } = app.views[0].scene;
     this.cases = cases.length > 1 ? el("select", { "aria-label": "load case", title: app.hint("Load case", "E"), onchange: () => app.setCase(this.cases.value) },
       cases.map((name) => el("option", { value: name }, name))) : null;
+    this.diagram = app.offered.length ? el("select", { "aria-label": "diagram", title: app.hint("Diagram over the structure", "S"), onchange: () => app.setDiagram(this.diagram.value) },
+      el("option", { value: "" }, "None"), app.offered.map(({ id, label }) => el("option", { value: id }, label))) : null;
     this.node = el("header", { class: app.views.length > 1 ? "toolbar two" : "toolbar" },
       el("div", { class: "title" }, el("h1", {}, titles.join(" | ")),
         app.views.map(({ scene }, k) => el("p", {}, app.views.length > 1 ? `${app.labels[k]}: ` : "", subtitle(scene)))),
       el("div", { class: "tools" },
-        this.cases && el("label", {}, el("span", {}, "Load case"), this.cases), el("label", {}, el("span", {}, "Colour"), this.colour), modes,
+        this.cases && el("label", {}, el("span", {}, "Load case"), this.cases), el("label", {}, el("span", {}, "Colour"), this.colour), this.diagram && el("label", {}, el("span", {}, "Diagram"), this.diagram), modes,
         el("span", { class: "group", role: "group", "aria-label": "camera" }, cameras.map(([name, label, key]) => el("button", { type: "button", title: app.hint(`Camera: ${label}`, key), onclick: () => app.aim(name) }, label))),
         el("span", { class: "group", role: "group", "aria-label": "show" }, [...this.switches.values()]),
         el("span", { class: "group" },
@@ -41,6 +43,7 @@ export class ToolBar {
   update() {
     this.colour.value = this.app.channel?.id || "";
     if (this.cases) this.cases.value = this.app.views[0].scene.header.load_case;
+    if (this.diagram) this.diagram.value = this.app.diagram?.id || "";
     if (this.modes) this.modes.value = String(this.app.mode);
     for (const [name, button] of this.switches) press(button, this.app.shown[name]);
   }

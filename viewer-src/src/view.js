@@ -18,9 +18,9 @@ const MARGIN = 0.8; // of the picture that a structure fills, so that names and 
 const SEVERAL = 20000; // points of a run that a camera looks at
 const LEGEND = 104; // CSS pixels above, where the legend stands
 
-/** Places of a run that are to be seen: nodes, tips of arrows, feet of supports. */
-export function placesOf({ scene, loads, supports }) {
-  const places = [], step = Math.max(1, Math.ceil((scene.frames * scene.nodes.length) / SEVERAL)), last = scene.frames - 1;
+/** Places of a run that are to be seen: nodes, tips of arrows, feet of supports, and those of diagrams beside members. */
+export function placesOf({ scene, loads, supports, beside = [] }) {
+  const places = [...beside], step = Math.max(1, Math.ceil((scene.frames * scene.nodes.length) / SEVERAL)), last = scene.frames - 1;
   for (let k = 0; k <= last; k = k < last ? Math.min(k + step, last) : k + 1) {
     for (let node = 0; node < scene.nodes.length; node++) if (!scene.directors.has(node)) places.push(scene.position(k, node));
     places.push(...loads.tips(k), ...supports.feet(k));
@@ -93,7 +93,7 @@ export class View extends Picture {
     const { scene, world } = this;
     const size = 0.1 * scene.length0;
     this.bars = new Bars(scene);
-    this.supports = new Supports(scene, size);
+    this.supports = new Supports(scene);
     this.loads = new Loads(scene, 0.9 * size);
     this.drives = new Drives(scene, size);
     this.bodies = new Bodies(scene, this.bars.ball);

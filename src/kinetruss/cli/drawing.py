@@ -16,6 +16,7 @@ Examples:
   kinetruss picture bay.yaml -o bay.pdf
   kinetruss picture runs/slew -o slew.pdf --at 0s --at 6s --at 12s --colour force --width page
   kinetruss picture runs/slew -o slew.svg --at 8s --ghost --path N8
+  kinetruss picture runs/frame -o moments.pdf --show M
 """
 
 
@@ -51,6 +52,11 @@ def width(_ctx: click.Context, _option: click.Parameter, text: str | None) -> st
     shell_complete=completing.one_of("force", "stress", "utilisation"),
     help="force, stress or utilisation (default: the kinds of members).",
 )
+@click.option(
+    "--show",
+    shell_complete=completing.one_of("N", "V", "M", "V2", "V3", "M2", "M3", "torque", "deflection"),
+    help="Draw over the structure: N, V, M (in space N, V2, V3, M2, M3, torque) or deflection.",
+)
 @click.option("--case", shell_complete=completing.cases, help="Load case (default: the first).")
 @click.option(
     "--width",
@@ -82,12 +88,13 @@ def width(_ctx: click.Context, _option: click.Parameter, text: str | None) -> st
 @click.option("--title", default="", help="A title above; journals use a caption instead.")
 @json_option
 @max_size_option
-def picture(what: Path, file: Path, at: list[float], colour: str | None, case: str | None, width: str | float, view: str,
-            ghost: bool, paths: tuple[str, ...], no_loads: bool, names: bool | None, title: str, as_json: bool,
-            max_size: int) -> None:  # fmt: skip
+def picture(what: Path, file: Path, at: list[float], colour: str | None, show: str | None, case: str | None,
+            width: str | float, view: str, ghost: bool, paths: tuple[str, ...], no_loads: bool, names: bool | None,
+            title: str, as_json: bool, max_size: int) -> None:  # fmt: skip
     """Draw a model file, or a run folder at some instants, for print: vector lines and text, no pixels.
 
-    Driven members are green, supports triangles, loads purple arrows. For shaded pictures and films: kinetruss render.
+    Driven members are green, supports have the usual symbols, loads are purple arrows. For shaded pictures and films:
+    kinetruss render.
     """
     from kinetruss import report
     from kinetruss.cli.opening import loaded
@@ -97,6 +104,7 @@ def picture(what: Path, file: Path, at: list[float], colour: str | None, case: s
         file,
         at=at,
         colour=colour,
+        show=show,
         case=case,
         width=width,
         view=view,

@@ -17,6 +17,7 @@ import numpy as np
 
 from kinetruss.display import numbers
 from kinetruss.display.numbers import round_up
+from kinetruss.display.symbols import SUPPORTS
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray
@@ -105,7 +106,7 @@ def contrast(one: str, other: str) -> float:
     return (max(light) + 0.05) / (min(light) + 0.05)
 
 
-# The units and colours of this package as a JavaScript module for the viewer's page.
+# The units, colours and symbols of this package as a JavaScript module for the viewer's page.
 
 NUMBERS = ("UNITS", "FLOORS", "DIGITS", "LONG", "SHORT", "ROUND_OFF", "DIGIT", "POINT", "ENDS", "FAR")
 PALETTES = ("COLOURS", "DIVERGING", "SEQUENTIAL", "MISSING", "OVER", "LOAD", "ELASTIC", "KINDS", "SKINS", "THEMES")
@@ -113,8 +114,9 @@ HEAD = "// Written from src/kinetruss/display by `make viewer`: change it there.
 
 
 def script() -> str:
-    """Text of ``viewer-src/src/display.js``: the tables of units and the colours."""
+    """Text of ``viewer-src/src/display.js``: the tables of units, the colours, the symbols of supports."""
     tables = {name: getattr(numbers, name) for name in NUMBERS} | {name: globals()[name] for name in PALETTES}
+    tables["SUPPORTS"] = SUPPORTS
     lines = [f"export const {name} = {json.dumps(table, ensure_ascii=False)};" for name, table in tables.items()]
     return HEAD + "\n".join(lines) + "\n"
 

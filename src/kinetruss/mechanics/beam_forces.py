@@ -112,7 +112,7 @@ def section_forces(
     """
     stress, slope = _deformed(found, x, x0, linear, given, v)
     l = found.length[:, None]
-    frame = _frames(found, x0[None] if linear else x)
+    frame = beam_frames(found, x0[None] if linear else x)
     frame = np.broadcast_to(frame, (len(x), *frame.shape[1:]))
     # load along the beam in its axes as a cubic: coefficients c_m of xi^m
     read = np.einsum("kgv,tkvc->tkgc", found.along(POINTS), load[:, found.nodes]) * found.line[:, None, None]
@@ -268,7 +268,7 @@ def _add_loads(
             twice[:, one.beam] += unit * double[:, None] * q[:, None]
 
 
-def _frames(found: BeamElements, x: Floats) -> Floats:
+def beam_frames(found: BeamElements, x: Floats) -> Floats:
     """Axes (times, k, 3, 3) of deformed beams: 1 along the chord, 2 nearest to those of both ends."""
     at, v = x[:, found.nodes], found.nodes.shape[1]
     one = at[:, :, v // 2] - at[:, :, 0]

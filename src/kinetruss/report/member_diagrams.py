@@ -17,6 +17,7 @@ from kinetruss.model import nearest
 from kinetruss.model.links import bends
 from kinetruss.strength.beam_spans import spans_of
 from kinetruss.strength.beam_verdict import chords_of
+from kinetruss.strength.curves import only
 
 if TYPE_CHECKING:
     import xarray as xr
@@ -71,13 +72,6 @@ class Along:
     part: str
     x: Array
     lines: dict[str, Line]
-
-
-def only(forces: Forces, sample: int) -> Forces:
-    """Forces of one sample, with their motion."""
-    here = {"time": [sample]}
-    motion = forces.motion.with_(data=forces.motion.whole.isel(here))
-    return forces.with_(data=forces.whole.isel(here), motion=motion, static=None)
 
 
 def section_lines(model: Model, forces: Forces, parts: Sequence[str]) -> list[Along]:

@@ -104,7 +104,10 @@ def _linear(plan: Plan) -> Block:
     said = " ".join(dict.fromkeys(one.message for one in found.values() if one.message))
     place = np.array([node.at for node in model.whole.nodes.values()])
     motion = _resting(model, place).with_(message=said)
-    others = {one.source for case in found for one in actions_of(system, case).actions if one.kind != "load"}
+    # what turns the frame of a node acts on inner bars, which have no sections; beams have their forces from their shapes
+    inner = {k for k, name in enumerate(system.members) if name in model.whole.inner.bars}
+    acting = [one for case in found for one in actions_of(system, case).actions if one.member not in inner]
+    others = {one.source for one in acting if one.kind != "load"}
     forces = {} if others else {case: _forces(model, one, motion, case) for case, one in found.items()}
     if others:
         said = f"{said} Section forces are not computed: {few(sorted(others), 4)} on members, between their joints."

@@ -68,7 +68,7 @@ def beam_histories(model: Model, forces: Forces, stations: int = SECTIONS) -> di
     if not shape[0] or not spans.names or not known_positions(forces):
         nothing = np.full(shape, np.nan)
         return dict.fromkeys(BEAM_QUANTITIES, (nothing, nothing))
-    xi = _stations(compile(model), forces.load_case, max(stations, SECTIONS))
+    xi = stations_of(compile(model), forces.load_case, max(stations, SECTIONS))
     found, _, _ = along_elements(model, forces, xi)
     T, M = found["section_T"], np.linalg.norm(found["section_M"], axis=-1)
     along = dict(zip(BEAM_QUANTITIES[:4], (T, -T, M, found["von_mises"]), strict=True))
@@ -126,24 +126,8 @@ def middle_forces(model: Model, result: Forces | Result) -> NDArray[np.float64]:
     return found
 
 
-def beam_sections(model: Model, result: Forces | Result, stations: int) -> NDArray[np.float64]:
-    """Section forces (times, beams, stations, values) of forces or of an equilibrium, at equal distances along elastic beams
-    and the parts of links: T, V2, M3 in the plane, T, V2, V3, M2, M3 and the torsion in space, N and N m, then von Mises'
-    stress, Pa; NaN where they are not known.
-    """
-    elements = sum(beam.kind == "elastic" for beam in model.whole.beams.values())
-    shape = (-1, elements, stations, 4 if model.dim == 2 else 7)
-    if isinstance(result, Forces) and not known_positions(result):
-        return np.full((len(result.arrays["time"].values), *shape[1:]), np.nan)
-    found, _, _ = along_elements(model, result, np.linspace(0.0, 1.0, stations))
-    names = ("section_T", "section_V", "section_M", "torsion", "von_mises")
-    parts = [found[name] for name in names if name in found]
-    several = [one if one.ndim > parts[0].ndim else one[..., None] for one in parts]
-    return np.asarray(np.concatenate(several, axis=-1)).reshape(shape)
-
-
 @cached()
-def _stations(system: System, case: str, count: int) -> NDArray[np.float64]:
+def stations_of(system: System, case: str, count: int) -> NDArray[np.float64]:
     """Sections at equal distances, and on both sides of the places where loads begin, end or act."""
     cases = case if case in system.model.cases else None
     places = {float(s) for name in loads_of(system, cases) for one in on_beams(system, name) for s in (one.begin, one.end)}

@@ -18,7 +18,7 @@ from kinetruss.studio.member_kinds import switched
 from kinetruss.studio.new_parts import made, with_analysis
 from kinetruss.studio.requested_runs import Finite, FrameList, Name, Values
 from kinetruss.studio.session import LARGE, Answer, Desk
-from kinetruss.studio.shown import numbers
+from kinetruss.studio.shown import numbers, over_of
 
 Names = Annotated[tuple[Name, ...], Field(max_length=100_000)]
 Vector = Annotated[list[Finite], Field(min_length=2, max_length=3)]
@@ -326,6 +326,14 @@ def stop(session: Session) -> Answer:
 def curve(session: Session, node: Name, drive: Name, low: Coordinate | None = None, high: Coordinate | None = None) -> Answer:
     """The path of a node and the force of a drive along the range of that drive, m or rad."""
     return {"kind": "curve"} | requested_runs.curve(*session.closed(), node, drive, low, high)
+
+
+@message
+def over(session: Session, show: Name) -> Answer:
+    """Section forces or the deflection over the drawing."""
+    if not session.draw:
+        raise InputError("This message is for a drawing.")
+    return over_of(session, show)
 
 
 # What is kept.

@@ -10,12 +10,13 @@ from typing import TYPE_CHECKING, Any, Protocol
 
 import numpy as np
 
-from kinetruss.errors import Fault, UnitError
+from kinetruss.errors import Fault, InputError, UnitError
 from kinetruss.io.writing import located
 from kinetruss.mechanics import compile
 from kinetruss.model import NodalForce, turns
 from kinetruss.results.user_parts import clamps
 from kinetruss.shelves import shelf, shelves
+from kinetruss.strength.curves import curves, factor_of, quantities_shown, sentence
 from kinetruss.studio.copies import CELLS
 from kinetruss.studio.edits import MEMBERS, ends_of, place_of, supports
 from kinetruss.studio.judging import LISTED_NODES, loose_ends, on_members
@@ -25,6 +26,7 @@ from kinetruss.studio.poses import number
 from kinetruss.studio.requested_runs import worst_rows
 from kinetruss.units import parse
 from kinetruss.viewer import pack, scene
+from kinetruss.viewer.support_marks import support_marks
 
 if TYPE_CHECKING:
     from collections.abc import Sequence
@@ -33,6 +35,7 @@ if TYPE_CHECKING:
     from kinetruss.model import Model
     from kinetruss.results import Forces
     from kinetruss.runs import RunResult
+    from kinetruss.strength.curves import Curve
     from kinetruss.studio.drawing import Drawing, State
     from kinetruss.studio.files import Drafts
     from kinetruss.studio.judging import Judged
@@ -225,7 +228,11 @@ def drawing_of(session: Shown, light: bool = False) -> Record:
             for name, ends, on in lines
         ],
         "fixed": supports(data),
+        "supports": _supports(found, data, drawing.dim),
         "loads": _loads(found),
+        "shows": [
+            {"id": name, "label": one.words[0].upper() + one.words[1:]} for name, one in quantities_shown(drawing.dim).items()
+        ],
         "data": data,
         "text": text,
         "faults": fault_rows(located(text, found.faults)),
@@ -240,6 +247,45 @@ def drawing_of(session: Shown, light: bool = False) -> Record:
     }
 
 
+EACH = 4
+"""Of so many places of a curve a page gets one, besides its extremes."""
+
+
+def over_of(session: Shown, show: str) -> Record:
+    """Section forces or the deflection of all loads over the drawing: curves in m, with the factor by which values are drawn;
+    or why there are none.
+    """
+    found = session.drawing.found
+    record: Record = {"kind": "over", "show": show, "curves": [], "why": found.why or "There are no forces."}
+    if found.model is None or found.forces is None:
+        return record
+    try:
+        every = curves(found.model, found.forces, show, from_model=True)
+    except InputError as error:
+        return record | {"why": str(error)}
+    extent = float(np.linalg.norm(np.ptp(list(_places(session.drawing).values()), axis=0)))
+    return record | {
+        "why": "" if every.largest else f"{sentence(every)}; zero everywhere.",
+        "unit": every.quantity.unit,
+        "sentence": sentence(every),
+        "factor": factor_of([every], extent),
+        "curves": [_points(one) for one in every.curves if one.values.any()],
+    }
+
+
+def _points(one: Curve) -> Record:
+    """Some of the places of a curve, and all that are written."""
+    kept = sorted({*range(0, len(one.x), EACH), len(one.x) - 1, *one.extremes})
+    space = [np.pad(values[kept], ((0, 0), (0, 3 - values.shape[1]))).tolist() for values in (one.base, one.shift)]
+    return {
+        "part": one.part,
+        "base": space[0],
+        "shift": space[1],
+        "values": one.values[kept].tolist(),
+        "extremes": [kept.index(k) for k in one.extremes],
+    }
+
+
 def _pins(data: dict[str, Any], places: dict[str, list[float]], members: dict[str, list[str]]) -> list[dict[str, str]]:
     """What one click may join: nodes that lie on a bar or link, as a pin of it."""
     takes = {*(data.get("bars") or {}), *(data.get("links") or {})}
@@ -249,6 +295,17 @@ def _pins(data: dict[str, Any], places: dict[str, list[float]], members: dict[st
 def fault_rows(faults: list[Fault]) -> list[dict[str, Any]]:
     """Faults with their line in the text."""
     return [{"where": one.where, "text": str(one), "line": one.line, "column": one.column} for one in faults]
+
+
+def _supports(found: Judged, data: dict[str, Any], dim: int) -> list[Record]:
+    """The symbols of supports; of a drawing with faults those of fixed nodes."""
+    if found.model is not None:
+        return support_marks(found.model)
+    upright = [float(k == dim - 1) for k in range(3)]
+    axes = {name: given if isinstance(given, str) else "xyz"[:dim] for name, given in supports(data).items()}
+    kinds = [(name, "pin", upright) if len(own) >= dim else (name, "roller", [float(one in own) for one in "xyz"])
+             for name, own in axes.items()]  # fmt: skip
+    return [{"node": name, "kind": kind, "along": along} for name, kind, along in kinds]
 
 
 def _warnings(found: Judged, floats: bool) -> list[tuple[str, str]]:
@@ -338,7 +395,7 @@ def _mobility(found: Judged, light: bool) -> dict[str, Any] | None:
 
 def _floats(data: dict[str, Any]) -> bool:
     """Whether nothing holds the drawing."""
-    return not data.get("fixed") and not data.get("clamped")
+    return not any(data.get(table) for table in ("fixed", "clamped", "supports"))
 
 
 def _missing(drawing: Drawing) -> list[str]:

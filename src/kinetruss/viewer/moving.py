@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 from collections.abc import Collection, Mapping, Sequence
 from dataclasses import dataclass
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, cast
 
 import numpy as np
 import xarray as xr
@@ -133,6 +133,7 @@ def moving(
         "status": motion.status.value,
         "message": " ".join(filter(None, [motion.message, "" if run else motion.unchecked, *_not_held(run)])),
         "channels": channels,
+        "shows": shown_over(model, found, rounded=rounded),
         "over_run": over_run,
         "cases": described,
         "quantities": quantities,
@@ -195,14 +196,50 @@ def stress_of_faces(model: Model, position: NDArray[np.float64]) -> dict[str, ND
     return {} if found is None else {"skin_stress": found}
 
 
-def sections_of_beams(model: Model, result: Forces | Result) -> dict[str, NDArray[np.float64]]:
-    """``beam_section``, the `beam_sections` along elastic beams; nothing where they are many."""
-    from kinetruss.strength.beam_verdict import beam_sections
+def in_equilibrium(run: RunResult, case: str) -> bool:
+    """Whether the loads alone have moved the positions of a run from those of its model."""
+    return case in run.statics and run.statics[case].attrs.get("kind") == "equilibrium"
+
+
+def sections_of_beams(model: Model, result: Forces | Result, *, at_rest: bool = False) -> dict[str, NDArray[np.float64]]:
+    """``beam_section`` and ``beam_extreme``, the `beam_tables` of elastic beams; nothing where they are many. Of what its loads
+    have moved from the model (`at_rest`, `statics.linear`) also ``moved``, displacements of nodes from ``unmoved``, and
+    ``beam_moved``, those along beams at the same stations, m.
+    """
+    from kinetruss.mechanics import compile
+    from kinetruss.strength.curves import beam_tables
 
     count = sum(beam.kind == "elastic" for beam in model.whole.beams.values())
     if not count or result.whole.sizes.get("time", 1) * count * STATIONS * 7 > MOST_SECTIONS:
         return {}
-    return {"beam_section": beam_sections(model, result, STATIONS)}
+    linear = "displacement" in result.whole
+    found = {f"beam_{name}": one for name, one in beam_tables(model, result, STATIONS, deflected=linear or at_rest).items()}
+    if "beam_moved" in found:
+        start = compile(model).x0[None, :, : model.dim]
+        place = result.whole if linear or "position" in result.whole else cast("Forces", result).motion.whole
+        moved = place["displacement"].values if linear else place["position"].values - start
+        found |= {"unmoved": start, "moved": moved.reshape(-1, *start.shape[1:])}
+    return found
+
+
+def shown_over(model: Model, found: Collection[str], *, rounded: bool) -> list[dict[str, Any]]:
+    """What the page can draw over the structure: `quantities_shown` of the arrays that are there; none of rounded curves."""
+    from kinetruss.strength.curves import quantities_shown
+
+    if rounded or "member_force" not in found or not ("joint_force" in found or "beam_section" in found):
+        return []
+    return [
+        {
+            "id": name,
+            "label": one.words[0].upper() + one.words[1:],
+            "unit": one.unit,
+            "sign": one.sign,
+            "axis": one.axis,
+            "side": one.side,
+        }
+        for name, one in quantities_shown(model.dim).items()
+        if ("moved" in found if name == "deflection" else name != "torque" or ("beam_section" in found and not model.hubs))
+    ]
 
 
 def _cut(forces: Forces, keep: NDArray[np.int64], motion: Motion) -> Forces:
@@ -224,7 +261,7 @@ def _forces(
     names = ("reaction", "drive_force", "energy", *(() if rounded else ("joint_force",)))
     found = {"member_force": middle_forces(model, forces)}
     found |= {name: data[name].values for name in names if name in data} | {"load_force": load_force}
-    found |= sections_of_beams(model, forces)
+    found |= sections_of_beams(model, forces, at_rest=run is not None and in_equilibrium(run, forces.load_case))
     worst = worst_of(model, run.verdict) if rounded and run is not None and run.verdict is not None else {}
     found |= worst if rounded else strength_histories(model, forces)
     actions, acting = _actions(model, forces)

@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
+from kinetruss.viewer.support_marks import frame_of
 from kinetruss.viewer.topology import FRAME
 
 if TYPE_CHECKING:
@@ -90,11 +91,8 @@ class Places:
         return np.array(found, float).reshape(-1, self.x.shape[1])
 
     @cached_property
-    def supports(self) -> dict[str, list[int]]:
-        """Nodes by the way they are held: ``clamped``, ``held`` in all axes, ``guided`` in some; ``soft`` yields."""
-        found: dict[str, list[int]] = {"clamped": [], "held": [], "guided": []}
-        for one in self.scene.header["supports"]:
-            whole = len(one["axes"]) == self.scene.header["dim"]
-            kind = "soft" if one.get("soft") else "clamped" if one["clamped"] else "held" if whole else "guided"
-            found.setdefault(kind, []).append(one["node"])
-        return found
+    def supports(self) -> list[tuple[str, Array, Array]]:
+        """Kind, place (dim,) and axes x, y (2, dim) of each symbol of a support."""
+        dim = self.x.shape[1]
+        marks = self.scene.header["support_marks"]
+        return [(one["kind"], self.x[one["node"]], frame_of(one["kind"], np.array(one["along"]))[:, :dim]) for one in marks]

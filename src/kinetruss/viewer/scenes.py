@@ -38,6 +38,7 @@ from kinetruss.viewer.moving import (
     moving,
     scalars_placed,
     sections_of_beams,
+    shown_over,
     stress_of_faces,
     vibrations,
 )
@@ -109,7 +110,7 @@ def scene(
         "format": FORMAT, "version": VERSION, "kinetruss": __version__, "kind": subject.kind, "name": subject.name,
         "title": subject.model.title, "dim": subject.model.dim, "status": Status.COMPLETED.value, "message": "",
         "gravity": list(subject.model.gravity or (0.0,) * subject.model.dim), "rounded": False, "loads": [], "channels": [],
-        "samples": {"all": 1, "shown": 1}, "cases": [], "not_checked": {}, "not_unique": [],
+        "shows": [], "samples": {"all": 1, "shown": 1}, "cases": [], "not_checked": {}, "not_unique": [],
     }  # fmt: skip
     shown = list(modes)
     finding = _finding(subject)
@@ -314,7 +315,8 @@ def _standing(subject: _Subject) -> tuple[dict[str, Any], dict[str, NDArray[Any]
     if subject.rest is not None:
         still = np.zeros_like(found["position"])
         found |= {"member_force": middle_forces(model, subject.rest)[None], "velocity": still, "acceleration": still}
-        found |= sections_of_beams(model, subject.rest)
+        found |= sections_of_beams(model, subject.rest, at_rest=True)
+        more["shows"] = shown_over(model, found, rounded=False)
         found |= stress_of_faces(model, found["position"])
         more["actions"], acting = actions_at_rest(model, subject.rest)
         found |= acting

@@ -16,9 +16,10 @@ from kinetruss.model import Active, Bar, CoordinateDrive, HingeDrive, Model, Pre
 from kinetruss.model.bodies import placed
 from kinetruss.model.bracing import CHORD
 from kinetruss.model.joints import GROUND
-from kinetruss.model.supports import axes_of_support, support_words
+from kinetruss.model.supports import support_words
 from kinetruss.strength.beam_verdict import chords_of
 from kinetruss.strength.parts import parts_of
+from kinetruss.viewer.support_marks import support_marks
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray
@@ -55,8 +56,8 @@ def beams_by_chord(whole: WholeModel) -> dict[str, Beam]:
 
 
 def _supports(model: Model, index: dict[str, int], frames: set[str]) -> Iterator[dict[str, Any]]:
-    """Supported nodes: the global axes in which they are held, and whether their rotation is. Of supports that yield, have a
-    gap or are turned also what they hold in words, the directions that they hold, and whether one of these yields.
+    """Supported nodes: the global axes in which they are held, and whether their rotation is; what supports that yield, have a
+    gap or are turned hold in words.
     """
     whole = model.whole
     for node in dict.fromkeys([*whole.fixed, *model.supports]):
@@ -64,10 +65,7 @@ def _supports(model: Model, index: dict[str, int], frames: set[str]) -> Iterator
             continue
         found = {"node": index[node], "axes": whole.fixed.get(node, ""), "clamped": whole.clamped.get(node) == GROUND}
         if (one := model.supports.get(node)) is not None and any(own.node == node for own in whole.inner.holdings):
-            axes = axes_of_support(model, node)
-            held = list(one.shifts) or [len(axes) - 1]
-            soft = any(own.node == node and own.table != "couplings" for own in whole.inner.holdings)
-            found |= {"words": support_words(one), "towards": [[*axes[k], 0.0][:3] for k in held], "soft": soft}
+            found["words"] = support_words(one)
         yield found
 
 
@@ -99,6 +97,7 @@ def topology(model: Model) -> tuple[dict[str, Any], dict[str, NDArray[Any]]]:
         ],
         "directors": [k for k, name in enumerate(whole.nodes) if name in frames],
         "supports": list(_supports(model, index, frames)),
+        "support_marks": [one | {"node": index[one["node"]]} for one in support_marks(model)],
         "drives": [
             _drive(name, drive, index, list(members), [one.ends for one in members.values()], links)
             for name, drive in model.all_drives.items()

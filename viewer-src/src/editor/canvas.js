@@ -4,10 +4,12 @@ import { colourOf, gradient } from "../colour.js";
 import { KINDS } from "../display.js";
 import { el, fill, svg } from "../dom.js";
 import { quantity } from "../format.js";
+import { symbolAt } from "../supports.js";
 import { Labels } from "./labels.js";
 import { bodies, springs } from "./marks.js";
 
 const LINES = 60; // most grid lines to either side
+const SUPPORT = 24; // pixels of the symbol of a support
 const ARROW = 46; // pixels of the largest load
 const MANY = 80; // nodes above which names are hidden
 const FEW = 24; // members up to which all have their names, else those that are picked
@@ -18,7 +20,7 @@ export class Canvas {
   constructor(draw) {
     this.draw = draw;
     const layer = (name) => svg("g", { class: name });
-    this.layers = Object.fromEntries(["picture", "grid", "bodies", "curve", "apart", "bars", "marks", "nodes", "names", "rubber"].map((name) => [name, layer(name)]));
+    this.layers = Object.fromEntries(["picture", "grid", "bodies", "curve", "apart", "bars", "marks", "diagram", "nodes", "names", "rubber"].map((name) => [name, layer(name)]));
     this.node = svg("svg", { class: "drawing", tabindex: 0, role: "application", "aria-label": "drawing; arrow keys move the cursor, Enter draws there, Tab leaves" }, ...Object.values(this.layers));
     this.names = new Labels();
     this.legend = el("div", { class: "legend", hidden: true });
@@ -69,7 +71,7 @@ export class Canvas {
       circle.setAttribute("cy", y.toFixed(2));
       circle.classList.toggle("picked", picked.nodes.has(state.nodes[k]));
     });
-    if (shown.names && few) this.place(state, picked);
+    this.place(state, picked, shown.names && few);
     this.marks(state);
     this.draw.picture.place(this.layers.picture);
     this.draw.curves.place(this.layers.curve);
@@ -98,9 +100,11 @@ export class Canvas {
   }
 
   /** Names of nodes, of what is picked, and of members where there is room. */
-  place(state, picked) {
+  place(state, picked, named) {
     this.names.begin(this.seen);
-    this.labels.forEach((label, k) => this.names.node(label, this.seen[k]));
+    if (named) this.labels.forEach((label, k) => this.names.node(label, this.seen[k]));
+    this.draw.diagram.place(this.layers.diagram, this.names.taken);
+    if (!named) return;
     const order = state.members.map((_, k) => k).sort((a, b) => picked.members.has(state.members[b].name) - picked.members.has(state.members[a].name));
     for (const k of order) {
       const { name, ends, goes_on: more } = state.members[k], must = picked.members.has(name) && !more;
@@ -140,10 +144,7 @@ export class Canvas {
   /** Supports, drives, loads and masses. */
   marks(state) {
     const marks = [];
-    for (const [name, axes] of Object.entries(state.fixed)) {
-      const place = this.at(name);
-      if (place) marks.push(...support(place, axes, state.dim));
-    }
+    for (const mark of state.supports) marks.push(...this.support(mark));
     for (const { unit, bar } of state.drives) {
       const member = state.members.find((one) => one.name === bar);
       if (!member) continue;
@@ -163,6 +164,14 @@ export class Canvas {
     const at = (name) => this.at(name), ends = (name) => state.members.find((one) => one.name === name)?.ends;
     this.layers.bodies.replaceChildren(...bodies(state.data, at));
     this.layers.marks.replaceChildren(...marks, ...springs(state.data, at, ends));
+  }
+
+  /** The symbol of a support, as large on every scale. */
+  support({ node, kind, along }) {
+    const place = this.draw.state.places[this.index.get(node)], { camera } = this.draw;
+    if (!place) return [];
+    const at = [place[0], place[1], place[2] || 0], faces = kind === "pin" || kind === "roller";
+    return symbolAt({ kind, along }, at, SUPPORT / camera.scale).map((line, k) => svg("path", { class: faces && k === 0 ? "support" : "support line", "data-support": node, "data-kind": kind, d: path(line.map((point) => camera.project(point))) }));
   }
 
   /** What is being drawn, and the cursor of the keys. */
@@ -202,16 +211,6 @@ export class Canvas {
     });
     return best;
   }
-}
-
-function support([x, y], axes, dim) {
-  const all = axes.length >= dim;
-  const turned = dim === 2 && axes === "x" ? 90 : 0;
-  const move = `translate(${x} ${y}) rotate(${turned})`;
-  const parts = [svg("path", { class: "support", d: "M0 5L-10 21H10Z", transform: move })];
-  parts.push(svg("path", { class: "support ground", d: all ? "M-14 21H14" : "M-14 26H14M-6 21.5a2 2 0 1 0 0.1 0M6 21.5a2 2 0 1 0 0.1 0", transform: move }));
-  if (dim === 3 && !all) parts.push(svg("text", { class: "tag", x: x + 12, y: y + 26 }, axes));
-  return parts;
 }
 
 function arrow(tip, end) {

@@ -5,6 +5,7 @@ import { Talk } from "../talk.js";
 import { Camera } from "./camera.js";
 import { Canvas } from "./canvas.js";
 import { Curves } from "./curves.js";
+import { Diagram } from "./diagram.js";
 import style from "./editor.css";
 import { Entries } from "./entries.js";
 import { Files } from "./files.js";
@@ -21,7 +22,7 @@ import { Whole } from "./whole.js";
 const OFTEN = 6; // moves of a drag after which the curve may follow
 const QUIET = new Set(["running"]); // asked again and again, beside what is drawn
 // what does not change the drawing; while anything else is computed, nothing is shown of the state before
-const ASIDE = { curve: "Computing the path ...", run: "Starting the run ...", stop: "Stopping the run ...", save: "Saving ...", keep: "Saving ...", versions: "Reading the versions ...", picture: "Saving the picture ..." };
+const ASIDE = { curve: "Computing the path ...", over: "Computing the diagram ...", run: "Starting the run ...", stop: "Stopping the run ...", save: "Saving ...", keep: "Saving ...", versions: "Reading the versions ...", picture: "Saving the picture ..." };
 
 export function startDraw(root) {
   const sheet = document.createElement("style");
@@ -45,6 +46,7 @@ export class Draw extends Talk {
     this.spoken = el("p", { class: "spoken", role: "status", "aria-live": "polite" });
     this.picture = new Picture(this);
     this.curves = new Curves(this);
+    this.diagram = new Diagram(this);
     this.readout = new Readout(this);
     this.canvas = new Canvas(this);
     this.status = new Status(this);
@@ -58,7 +60,7 @@ export class Draw extends Talk {
     this.tools = new Tools(this);
     const panel = el("aside", { class: "controls sketch", "aria-label": "drawing" }, el("div", { class: "head" }, this.banner, this.files.offer, this.status.node), el("div", { class: "parts" }, this.status.details, this.properties.node,
       this.entries.runsNode, this.entries.node, this.groups.node, this.whole.node, this.curves.node, this.picture.node, this.text.node, this.files.node));
-    root.replaceChildren(this.rail.node, el("main", {}, el("div", { class: "sheetpane" }, this.canvas.node, this.canvas.legend, this.doing, this.readout.node, this.spoken), panel));
+    root.replaceChildren(this.rail.node, el("main", {}, el("div", { class: "sheetpane" }, this.canvas.node, this.canvas.legend, this.diagram.told, this.doing, this.readout.node, this.spoken), panel));
     root.ownerDocument.addEventListener("keydown", (event) => this.rail.key(event));
   }
 
@@ -105,6 +107,7 @@ export class Draw extends Talk {
   }
 
   leisurely() {
+    if (this.diagram.stale) return { command: this.diagram.command() };
     if (!this.curves.stale) return null;
     this.moves = 0;
     return { command: this.curves.command() };
@@ -137,6 +140,7 @@ export class Draw extends Talk {
   heard(answer) {
     if (answer.kind === "drawing") this.take(answer);
     else if (answer.kind === "moved") this.place(answer);
+    else if (answer.kind === "over") this.diagram.take(answer);
     else if (answer.kind === "curve") this.curves.take(answer);
     else if (answer.kind === "error") this.refuse(answer.message);
     return answer.other || answer.choices;
@@ -162,10 +166,11 @@ export class Draw extends Talk {
     this.camera.setDim(answer.dim);
     this.keepPicked(answer.made?.renamed);
     if (!answer.other && !first) this.tell(answer.saved || "");
+    this.diagram.spoil();
     this.canvas.rebuild();
     if (first || answer.dim !== dim) this.fit();
     this.curves.spoil();
-    for (const part of [this.rail, this.status, this.properties, this.whole, this.groups, this.entries, this.curves, this.text, this.files]) part.rebuild();
+    for (const part of [this.rail, this.status, this.properties, this.whole, this.groups, this.entries, this.curves, this.diagram, this.text, this.files]) part.rebuild();
     if (running) this.entries.take(running);
     window.kinetruss.ready = true;
     this.root.dataset.state = "ready";
@@ -173,6 +178,7 @@ export class Draw extends Talk {
 
   place(answer) {
     Object.assign(this.state, answer, { kind: "drawing" });
+    this.diagram.spoil();
     this.canvas.update();
     this.curves.spoil();
     this.status.rebuild();

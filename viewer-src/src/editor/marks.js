@@ -1,4 +1,4 @@
-// Marks of bodies, of springs of angles and of clamped ends of beams in the drawing.
+// Marks of bodies and of springs of angles in the drawing.
 
 import { svg } from "../dom.js";
 
@@ -15,17 +15,14 @@ export function bodies(data, at) {
   });
 }
 
-/** Springs of angles as arcs, and a hatch at clamped ends. */
+/** Springs of angles as arcs. */
 export function springs(data, at, ends) {
   const arcs = Object.values(data.springs || {}).map(({ coordinate: one }) => {
     if (one?.kind === "hinge") return arc(at(one.axis?.[0]), at(one.start), at(one.end));
     const pair = one?.kind === "angle" ? ends(one.bar)?.map(at) : null;
     return pair && pair[0] ? arc(pair[0], [pair[0][0] + 1, pair[0][1]], pair[1]) : null;
   });
-  const clamped = data.clamped || [];
-  const held = (Array.isArray(clamped) ? clamped : Object.keys(clamped)).map(at).filter(Boolean)
-    .map(([x, y]) => svg("path", { class: "clamp", d: `M${x - 11} ${y - 11}H${x + 11}V${y + 11}H${x - 11}Z` }));
-  return [...arcs.filter(Boolean), ...held];
+  return arcs.filter(Boolean);
 }
 
 /** A zigzag along the arc about a point from one direction to another, the shorter way. */

@@ -32,7 +32,7 @@ export class ToolRail {
     this.node = el("header", { class: "toolbar rail" }, el("div", { class: "title" }, this.title, el("a", { href: "../", class: "operate" }, "Operate: sliders and forces")),
       el("div", { class: "tools" }, el("span", { class: "group", role: "group", "aria-label": "tools" }, [...this.tools.values()], this.several),
         el("span", { class: "group" }, this.undo, this.redo, this.delete),
-        el("span", { class: "group" }, this.fit, this.names, this.force, this.snap, this.theme), this.grid, this.looks, this.plane));
+        el("span", { class: "group" }, this.fit, this.names, this.force, this.snap, this.theme, draw.diagram.node), this.grid, this.looks, this.plane));
   }
 
   toggle(name) {

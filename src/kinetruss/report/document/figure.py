@@ -9,17 +9,20 @@ import numpy as np
 
 from kinetruss.display import DRIVEN, instant, number, quantity
 from kinetruss.model import Pressure
-from kinetruss.model.links import piece_at
+from kinetruss.model.links import bends, piece_at
 from kinetruss.report.document.run_pictures import lines_of
 from kinetruss.report.entries import Figure
 from kinetruss.report.pictures.drawing import drawn, round_length
 from kinetruss.report.pictures.labels import CROWDED, Label
+from kinetruss.report.pictures.over_structure import areas, note, of_run, written
 from kinetruss.report.pictures.specs import ALARM, INK, QUIET, WIDTHS, Drawing
 from kinetruss.report.pictures.stands import arrows, drawing, middle, projected, stand, values_of
 from kinetruss.report.run_lines import shift_of
 from kinetruss.report.tables import cased, share_of, value_of
+from kinetruss.strength.curves import factor_of, quantities_shown
 from kinetruss.viewer.places import Places
 from kinetruss.viewer.scenes import snapshots
+from kinetruss.viewer.support_marks import WORDS
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray
@@ -39,6 +42,8 @@ all of them are named.
 """
 TALLEST, SMALL, LOW = 4.6, 2.1, 3.4
 """Largest height of the structure, inches: at most half of a sheet; in a summary; of the deflected shape."""
+BESIDE, DRAWN = 2, 200
+"""Number of section forces beside each other over the structure; number of beams and links up to which they are drawn."""
 SHARE = 0.1
 """Size of the largest drawn displacement at most, of the structure."""
 
@@ -53,14 +58,7 @@ def loaded_figure(run: RunResult, record: Mapping[str, Any], *, small: bool = Fa
 
 def loaded(run: RunResult, record: Mapping[str, Any], tallest: float = TALLEST) -> tuple[Drawing, str]:
     """The instant of the governing entry, or of the largest member force, with the loads that act then; and its caption."""
-    worst = run.finding.governing
-    case, k = next(iter(run.forces), None), 0
-    entry: Mapping[str, Any] | None = next(iter(record["largest_forces"]), None)
-    if worst is not None:
-        entry = {"load_case": worst.load_case, "pose": worst.pose, "time": worst.time}
-    if entry is not None:
-        case = entry["load_case"] if entry["load_case"] in run.forces else case
-        k = _sample(run, entry)
+    worst, (case, k) = run.finding.governing, _chief(run, record)
     places = Places(snapshots(run, case=case, samples=[k]))
     header, model = places.scene.header, run.model
     pairs = arrows(places, 0, least=LEAST_FORCE)
@@ -85,6 +83,51 @@ def loaded(run: RunResult, record: Mapping[str, Any], tallest: float = TALLEST) 
     )
     figure = drawing(places.scene, [seen], width=WIDTHS["page"], axes=(projected(np.eye(model.dim)), down), tallest=tallest)
     return figure, _caption(run, case, k, worst, over, places)
+
+
+def _chief(run: RunResult, record: Mapping[str, Any]) -> tuple[str | None, int]:
+    """Load case and sample of the governing entry, or of the largest member force."""
+    worst, case = run.finding.governing, next(iter(run.forces), None)
+    entry: Mapping[str, Any] | None = next(iter(record["largest_forces"]), None)
+    if worst is not None:
+        entry = {"load_case": worst.load_case, "pose": worst.pose, "time": worst.time}
+    if entry is None:
+        return case, 0
+    return entry["load_case"] if entry["load_case"] in run.forces else case, _sample(run, entry)
+
+
+def over_structure(run: RunResult, record: Mapping[str, Any]) -> list[Entry]:
+    """Section forces over the structure at the governing instant, those that are not zero; nothing without beams and links that
+    bend, or where nothing is known of them.
+    """
+    bent = sum(bends(run.model, one) for one in run.model.bending.values())
+    if not run.good or not run.forces or not 0 < bent <= DRAWN:
+        return []
+    case, k = _chief(run, record)
+    found = [of_run(run, show, case, k) for show in quantities_shown(run.model.dim) if show != "deflection"]
+    found = [one for one in found if one.largest > 0]
+    if not found:
+        return []
+    scene = snapshots(run, case=case, samples=[k])
+    places, panels, stands = Places(scene), [], []
+    for one in found:
+        factor = factor_of([one], scene.header["extent"])
+        labels, words = written(one, factor), one.quantity.words
+        stands.append(stand(places, caption=words[0].upper() + words[1:], areas=areas(one, factor), labels=labels))
+    for first in range(0, len(stands), BESIDE):
+        pair = stands[first : first + BESIDE]
+        figure = drawing(scene, pair, width=WIDTHS["page"] * len(pair) / BESIDE, tallest=LOW)
+        panels.append(lines_of(drawn(figure), f"over{first}", ", ".join(one.caption for one in pair)))
+    signs = ". ".join(note([one], 1.0) for one in found)
+    caption = f"Section forces over the structure, {_when(run, k)}, {cased(str(case))}, each to a scale of its own. {signs}."
+    return [Figure(panels=panels, caption=caption)]
+
+
+def _when(run: RunResult, k: int) -> str:
+    if "pose" in run.motion.whole.coords:
+        return f"in pose {run.motion.whole['pose'].values[k]}"
+    time = run.motion.whole["time"].values
+    return f"at t = {instant(time[k])}" if len(time) > 1 else "in the computed position"
 
 
 def _member(places: Places, run: RunResult, part: str, place: float | None = None) -> int | None:
@@ -132,17 +175,14 @@ def _names(places: Places) -> list[Label]:
 
 
 def _marks(places: Places) -> list[str]:
-    """The marks of supports that a figure has."""
-    words = {"clamped": "squares clamped", "held": "triangles held", "guided": "circles guided", "soft": "diamonds on springs"}
-    return [words[kind] for kind, nodes in places.supports.items() if nodes]
+    """The symbols of supports that a figure has, in words."""
+    there = {kind for kind, *_ in places.supports}
+    return [words for kind, words in WORDS.items() if kind in there]
 
 
 def _caption(run: RunResult, case: str | None, k: int, worst: Row | None, over: bool, places: Places) -> str:
-    model, header, time = run.model, places.scene.header, run.motion.whole["time"].values
-    when = f"at t = {instant(time[k])}" if len(time) > 1 else "in the computed position"
-    if "pose" in run.motion.whole.coords:
-        when = f"in pose {run.motion.whole['pose'].values[k]}"
-    words = [f"The structure {when}{f', {cased(case)}' if case else ''}"]
+    model, header = run.model, places.scene.header
+    words = [f"The structure {_when(run, k)}{f', {cased(case)}' if case else ''}"]
     if worst is not None and run.finding.kind == "quantity":
         words.append(f"where {worst.part} is nearest to its limit, or farthest beyond it ({share_of(worst.utilisation)})")
     elif worst is not None:

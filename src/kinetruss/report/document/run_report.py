@@ -13,7 +13,7 @@ from kinetruss.report import mechanism_tables, tables
 from kinetruss.report.document import sections as parts
 from kinetruss.report.document.checks import recompute
 from kinetruss.report.document.data import document_record
-from kinetruss.report.document.figure import deflected_figure, loaded_figure
+from kinetruss.report.document.figure import deflected_figure, loaded_figure, over_structure
 from kinetruss.report.document.frame import framed, summary_parts
 from kinetruss.report.document.inputs import inputs, lists, section_constants
 from kinetruss.report.document.mission_report import mission_html, mission_lines
@@ -176,7 +176,12 @@ def run_parts(run: RunResult, record: dict[str, Any], sheets: list[Sheet], view:
         ),
         Section("inputs", "Basis of the analysis", "What was computed, and the data of the structure", basis(run)),
         Section("worked", "Worked calculations", calculations, shown(sheets)),
-        Section("diagrams", "Diagrams along members", "Section forces with their extreme values", diagrams_of(run, record)),
+        Section(
+            "diagrams",
+            "Diagrams along members",
+            "Section forces with their extreme values",
+            [*over_structure(run, record), *diagrams_of(run, record)],
+        ),
         Section("strength", "Strength", stressed, checks),
         Section("drives", "Actuators", "What motors, gears and screws deliver", actuators),
         Section(

@@ -24,9 +24,9 @@ from kinetruss.report.document.worked_members import (
     link_buckling_sheet,
     yield_sheet,
 )
-from kinetruss.report.member_diagrams import only
 from kinetruss.report.tables import cased
 from kinetruss.results.wide_tables import exceeds
+from kinetruss.strength.curves import only
 
 if TYPE_CHECKING:
     from kinetruss.report.entries import Entry

@@ -12,10 +12,12 @@ from matplotlib.collections import LineCollection, PolyCollection
 from matplotlib.colorbar import ColorbarBase
 from matplotlib.colors import LinearSegmentedColormap, Normalize, to_rgb
 from matplotlib.figure import Figure as Canvas
+from matplotlib.path import Path
 
 from kinetruss.display import DIVERGING, DRIVEN, ELASTIC, KINDS, LOAD, MISSING, OVER, SEQUENTIAL, number, quantity, scale
+from kinetruss.display.symbols import SUPPORTS
 from kinetruss.report.pictures.labels import put
-from kinetruss.report.pictures.specs import ALARM, INK, PRINT, QUIET, RC, WIDTHS, Colouring, Drawing, Stand
+from kinetruss.report.pictures.specs import ALARM, INK, PRINT, QUIET, RC, WIDTHS, Area, Colouring, Drawing, Stand
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray
@@ -27,10 +29,12 @@ INCH = 25.4
 GHOST, WAY, FACE, BODY = "#a8b0b9", "#444444", "#c9d4de", "#dde3ea"
 BAND = "#f3d9a4"
 """Band about the governing member: the colour of what is picked in the viewer, on paper."""
+AREA = BODY
 TALLEST = 1.4
 """Largest ratio of height to width of a figure, or of a page, so that it fits on the sheet (A4: 1.414)."""
-NOTE, ASIDE, LETTER = 0.14, 0.7, 0.075
-"""Height of the line under the scale, width of the axes at the left, and of a letter of the title, inches."""
+NOTE, ASIDE, LETTER, SMALLER = 0.14, 0.7, 0.075, 0.055
+"""Height of a line under the scale, width of the axes at the left, and of a letter of the title and of a note, inches."""
+TENSION, COMPRESSION = DIVERGING[4], DIVERGING[2]
 PENS: dict[str, dict[str, Any]] = {
     "rigid": {"colors": INK, "linewidths": 1.0},
     "driven": {"colors": DRIVEN, "linewidths": 2.2},
@@ -41,8 +45,8 @@ PENS: dict[str, dict[str, Any]] = {
     "free": {"colors": QUIET, "linewidths": 0.7, "linestyles": (0, (1, 1.5))},
 }
 """Styles of members without a value, by kind."""
-PINNED = {"clamped": "s", "held": "^", "guided": "o", "soft": "D"}
-"""Marks of supports."""
+SYMBOL = 9.0
+"""Size of the symbols of supports, points."""
 
 
 def drawn(figure: Drawing) -> Canvas:
@@ -59,7 +63,8 @@ def drawn(figure: Drawing) -> Canvas:
         # The line under the scale: what grey, red and broken members are.
         missing = "" if figure.colouring is None else figure.colouring.missing
         note = "; ".join(filter(None, [missing, "broken: not unique" if figure.unsure else ""]))
-        below = 0.24 + 0.44 * (figure.colouring is not None) + NOTE * bool(note)
+        said = wrap(figure.note, int((width - 0.16) / SMALLER))
+        below = 0.24 + 0.44 * (figure.colouring is not None) + NOTE * bool(note) + NOTE * len(said) + 0.04 * bool(said)
         high_cell = min(high_cell, TALLEST * max(width, WIDTHS["page"] / INCH) - above - below)
         height = above + high_cell + below
         canvas = Canvas(figsize=(width, height))
@@ -77,6 +82,8 @@ def drawn(figure: Drawing) -> Canvas:
         if figure.axes is not None:
             _axes(canvas, *figure.axes, below + high_cell / 2, height)
         _scale_bar(canvas, canvas.axes[0], float(size[0]), height)
+        low_note = (0.04 + 0.44 * (figure.colouring is not None) + NOTE * bool(note)) / height
+        canvas.text(0.08 / width, low_note, "\n".join(said), va="bottom", fontsize=6.5, color=QUIET, linespacing=1.2)
         if figure.colouring is not None:
             _legend(canvas, figure.colouring, width, height, NOTE * bool(note))
             canvas.text(1 - 0.08 / width, 0.04 / height, note, ha="right", va="bottom", fontsize=6.5, color=QUIET)
@@ -87,6 +94,7 @@ def _box(figure: Drawing) -> tuple[Any, Any]:
     shown = [one.dots for one in figure.stands] + [np.array(pair) for one in figure.stands for pair in one.arrows]
     shown += [points.reshape(-1, 2) for one in figure.stands for points in (one.bodies, one.faces)]
     shown += [*figure.ways, *figure.ghost, *(line for one in figure.stands for line in one.lines)]
+    shown += [area.tips for one in figure.stands for area in one.areas]
     points = np.concatenate(shown)
     low, high = points.min(axis=0), points.max(axis=0)
     margin = 0.08 * (float(np.max(high - low)) or 1.0)  # of a single point, 1 m
@@ -103,6 +111,8 @@ def _stand(ax: Any, figure: Drawing, one: Stand) -> None:
     if one.band is not None and not one.band[1]:
         line = [one.lines[one.band[0]]]
         ax.add_collection(LineCollection(line, colors=BAND, linewidths=9.0, capstyle="round", zorder=0.5))
+    for area in one.areas:
+        _area(ax, area)
     if figure.colouring is None or one.values is None:
         for kind, pen in PENS.items():
             chosen = [line for line, own in zip(one.lines, figure.kinds, strict=True) if own == kind]
@@ -113,13 +123,49 @@ def _stand(ax: Any, figure: Drawing, one: Stand) -> None:
         ax.add_collection(LineCollection([one.lines[one.band[0]]], colors=ALARM, linewidths=3.2, capstyle="round"))
     ax.plot(*one.dots.T, "o", color=INK, markersize=1.1 * _thickness(ax, one))
     ax.plot(*one.motors.T, "o", color=DRIVEN, markersize=7, markerfacecolor="none", markeredgewidth=1.4)
-    for kind, nodes in one.supports.items():
-        ax.plot(*nodes.T, PINNED[kind], color=INK, markersize=5, markerfacecolor="white", markeredgewidth=0.8)
+    _symbols(ax, one)
     for start, end in one.arrows:
         pen = {"arrowstyle": "-|>", "color": LOAD, "linewidth": 1.0, "shrinkA": 0, "shrinkB": 0}
         ax.annotate("", end, start, arrowprops=pen)
-    covered = [*one.lines, *(np.array(pair) for pair in one.arrows)]
-    put(ax, one.labels, covered, np.concatenate(list(one.supports.values())))
+    covered = [*one.lines, *(np.array(pair) for pair in one.arrows), *(area.tips for area in one.areas)]
+    put(ax, one.labels, covered, _middles(ax, one))
+
+
+def _area(ax: Any, area: Area) -> None:
+    """The area between a member and its curve, of axial forces in the colours of tension and compression, and its rim."""
+    for side, colour in ((1.0, TENSION), (-1.0, COMPRESSION)) if area.kind == "signed" else ((0.0, AREA),):
+        if area.kind == "line":
+            break
+        there = np.ones(len(area.values)) if side == 0.0 else (side * area.values > 0).astype(float)
+        rim = area.base + there[:, None] * (area.tips - area.base)
+        ax.fill(*np.concatenate([area.base, rim[::-1]]).T, facecolor=colour, edgecolor="none", alpha=0.6, zorder=0.6)
+    rim = area.tips if area.kind == "line" else np.concatenate([area.base[:1], area.tips, area.base[-1:]])
+    ax.add_collection(LineCollection([rim], colors=INK, linewidths=1.2 if area.kind == "line" else 0.7, zorder=2.2))
+
+
+def _symbols(ax: Any, one: Stand) -> None:
+    """Supports by their symbols, those alike at once. A marker of matplotlib is as large as its farthest point."""
+    alike: dict[tuple[str, tuple[float, ...]], list[Array]] = {}
+    for kind, at, axes in one.supports:
+        alike.setdefault((kind, tuple(axes.round(6).ravel().tolist())), []).append(at)
+    for (kind, across), places in alike.items():
+        for line in SUPPORTS[kind]:
+            points = np.array(line) @ np.reshape(across, (2, 2))
+            fill = "white" if line[0] == line[-1] and kind in ("pin", "roller") else "none"
+            size = 2 * SYMBOL * float(np.abs(points).max())
+            pen = {"color": INK, "markerfacecolor": fill, "markeredgewidth": 0.7, "linestyle": "none", "clip_on": False}
+            ax.plot(*np.transpose(places), marker=Path(points), markersize=size, **pen)
+
+
+def _middles(ax: Any, one: Stand) -> Array:
+    """The middles (k, 2), m, of the symbols of supports, which names keep clear of."""
+    if not one.supports:
+        return np.zeros((0, 2))
+    ax.apply_aspect()
+    shift = [axes[1] * (0.0 if kind.startswith("turn") else -0.5) for kind, _, axes in one.supports]
+    pixels = ax.transData.transform(np.array([at for _, at, _ in one.supports])) + np.array(shift) * SYMBOL * ax.figure.dpi / 72
+    found: Array = ax.transData.inverted().transform(pixels)
+    return found
 
 
 def _coloured(ax: Any, figure: Drawing, one: Stand) -> None:

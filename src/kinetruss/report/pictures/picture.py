@@ -13,12 +13,14 @@ from kinetruss.errors import InputError
 from kinetruss.model import Model, nearest
 from kinetruss.report.pictures.draw import SUFFIXES, write
 from kinetruss.report.pictures.drawing import drawn
+from kinetruss.report.pictures.over_structure import areas, note, of_run, written
 from kinetruss.report.pictures.specs import WIDTHS, Colouring
 from kinetruss.report.pictures.stands import VIEWS, drawing, projected, shown_at
 from kinetruss.results import Forces, Motion, Result, Simulation
 from kinetruss.results.records import check_samples
 from kinetruss.runs import RunResult
 from kinetruss.runs.mission_results import check_histories
+from kinetruss.strength.curves import Curves, curves, factor_of, only
 from kinetruss.units import parse
 from kinetruss.viewer.places import Places
 from kinetruss.viewer.scenes import snapshots
@@ -38,6 +40,7 @@ def picture(
     model: Model | None = None,
     at: Sequence[float | str] | float | str = (),
     colour: str | None = None,
+    show: str | None = None,
     case: str | None = None,
     width: str | float = "column",
     view: str = "iso",
@@ -55,7 +58,11 @@ def picture(
     model : for a motion, forces, a simulation or an equilibrium; models and runs have their own.
     at : instants of a run, s or text with a unit; by default the start. The nearest computed samples are shown.
     colour : ``force``, ``stress`` or ``utilisation``; by default members are coloured by kind. The scale covers the whole
-    run. case : load case, by default the first.
+    run.
+    show : draw over the structure, to one scale and with the largest values: in the plane ``N``, ``V``, ``M``; in space ``N``,
+    ``V2``, ``V3``, ``M2``, ``M3``, ``torque`` (also ``Vy``, ``Vz``, ``My``, ``Mz``, ``T``) in member axes; or
+    ``deflection``.
+    case : load case, by default the first.
     width : mm, or ``column`` (90 mm), ``page`` (190 mm). view : ``iso``, ``front``, ``side``, ``top``; parallel projection.
     ghost : the start pose in grey. paths : nodes whose path is drawn. loads : arrows of nodal forces. names : of nodes and
     members, by default for up to 24 nodes and 40 members. title : above; journals use a caption instead.
@@ -83,6 +90,8 @@ def picture(
     time = np.zeros(1) if motion is None else motion.arrays["time"].values
     frames = _frames(time, instants, timed=motion is not None)
     scene = snapshots(what, model=model, case=case, samples=frames, colour=colour)
+    over = [] if show is None else _over(what, model, frames, show, case)
+    factor = factor_of(over, scene.header["extent"])
     known = {name: k for k, name in enumerate(scene.header["nodes"]) if k not in scene.header["directors"]}
     for name in paths:
         if name not in known:
@@ -91,9 +100,17 @@ def picture(
     members, unique = Places(scene).members, scene.header["not_unique"]
     figure = drawing(
         scene,
-        shown_at(scene, [f"t = {instant(time[k])}" if len(time) > 1 else "" for k in frames], view, loads=loads, names=names),
+        shown_at(
+            scene,
+            [f"t = {instant(time[k])}" if len(time) > 1 else "" for k in frames],
+            view,
+            loads=loads,
+            names=names,
+            over=[(areas(one, factor, view), written(one, factor, view)) for one in over],
+        ),
         width=millimetres,
         title=title,
+        note=note(over, factor) if over else "",
         colouring=_colouring(scene),
         unsure=[k for k, member in enumerate(members) if colour is not None and scene.header["members"][member] in unique],
         ghost=[projected(line, view) for line in Places(scene, x=whole[0]).lines] if ghost else (),
@@ -101,6 +118,23 @@ def picture(
     )
     write(drawn(figure), path, dots=300)
     return path
+
+
+def _over(what: Any, model: Model | None, frames: Sequence[int], show: str, case: str | None) -> list[Curves]:
+    """The curves of each instant.
+
+    Raises
+    ------
+    InputError : nothing that has section forces; an unknown quantity.
+    """
+    if isinstance(what, RunResult):
+        return [of_run(what, show, case, k) for k in frames]
+    forces = what.forces if isinstance(what, Simulation) else what
+    if not isinstance(forces, Forces) or model is None:
+        raise InputError(
+            f"{show} cannot be drawn of a {type(what).__name__}. Give a run with forces, or forces with their model."
+        )
+    return [curves(model, only(forces, k), show) for k in frames]
 
 
 def _motion(what: Any) -> Motion | None:

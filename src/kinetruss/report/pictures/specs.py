@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Sequence
 from dataclasses import dataclass, field
 from typing import TYPE_CHECKING, Any
 
@@ -142,11 +142,25 @@ class Colouring:
 
 
 @dataclass(frozen=True, slots=True, kw_only=True, eq=False)
+class Area:
+    """A curve beside a member: base and tips (s, 2), m on paper, values (s,); kind : ``plain``, ``signed`` with the colours of
+    tension and compression, or ``line`` without an area.
+    """
+
+    base: Array
+    tips: Array
+    values: Array
+    kind: str
+
+
+@dataclass(frozen=True, slots=True, kw_only=True, eq=False)
 class Stand:
     """One instant of a drawing, on paper: lines (g, 2), m, of members, and their values (members,) that colour; dots (k, 2), m,
     of nodes; bodies as corners (k, 3, 2), m; faces of membranes and solids as corners (f, 3, 2), m, from back to front, with
-    their brightness (f,), 0 to 1, and values (f,) of the colour quantity; motors (h, 2), m; supports, by `PINNED` (k, 2), m;
-    arrows as pairs of a start and an end, m; band : the member that governs, and whether it is over its capacity.
+    their brightness (f,), 0 to 1, and values (f,) of the colour quantity; motors (h, 2), m; supports as
+    kind, place (2,), m, and axes x, y (2, 2) of their symbol;
+    arrows as pairs of a start and an end, m; band : the member that governs, and whether it is over its capacity; areas :
+    curves beside members.
     """
 
     caption: str
@@ -156,12 +170,13 @@ class Stand:
     faces: Array
     light: Array
     motors: Array
-    supports: Mapping[str, Array]
+    supports: Sequence[tuple[str, Array, Array]]
     values: Array | None = None
     face_values: Array | None = None
     arrows: Sequence[tuple[Array, Array]] = ()
     labels: Sequence[Label] = ()
     band: tuple[int, bool] | None = None
+    areas: Sequence[Area] = ()
 
 
 @dataclass(frozen=True, slots=True, kw_only=True, eq=False)
@@ -170,7 +185,7 @@ class Drawing:
 
     kinds : of the members. unsure : members whose force is not unique. ghost : lines of another pose; ways : of nodes, each
     (times, 2), m. axes : directions (dim, 2) of the axes on paper, and of gravity (2,) or None, drawn at the left. tallest :
-    height of the structure at most, inches.
+    height of the structure at most, inches. note : text below.
     """
 
     name: str
@@ -184,6 +199,7 @@ class Drawing:
     ways: Sequence[Array] = ()
     axes: tuple[Array, Array | None] | None = None
     tallest: float = np.inf
+    note: str = ""
 
 
 Figure = Histories | Bars | Drawing

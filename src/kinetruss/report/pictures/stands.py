@@ -9,7 +9,7 @@ import numpy as np
 
 from kinetruss.display import LOAD, quantity
 from kinetruss.report.pictures.labels import APART, FREE, Label, point_of
-from kinetruss.report.pictures.specs import INK, QUIET, Drawing, Stand
+from kinetruss.report.pictures.specs import INK, QUIET, Area, Drawing, Stand
 from kinetruss.viewer.loads_along import points_of
 from kinetruss.viewer.places import Places
 
@@ -27,6 +27,8 @@ NODES, MEMBERS = 24, 40
 """Number of nodes, and of members, up to which their names are shown by default."""
 LONGEST, LEAST = 0.15, 0.06
 """Length of the longest arrow of all times, of the structure; share of the largest load below which none is drawn."""
+EDGE = 1e-9
+"""Size of a direction on paper up to which it points to the eye."""
 BESIDE = 0.95
 """Cosine of the angle between an arrow and a member from which on they cover each other."""
 
@@ -64,21 +66,32 @@ def stand(places: Places, view: str = "iso", *, sample: int | None = None, capti
         faces=corners,
         light=light,
         motors=projected(places.motors, view),
-        supports={kind: projected(places.x[nodes], view) for kind, nodes in places.supports.items()},
+        supports=[(kind, projected(at, view), _upright(kind, projected(axes, view))) for kind, at, axes in places.supports],
         values=values,
         face_values=faces,
         **more,
     )
 
 
-def shown_at(scene: Scene, captions: Sequence[str], view: str, *, loads: bool = True, names: bool | None = None) -> list[Stand]:
-    """All samples of a scene with their loads and names. names : by default where there are not too many."""
+def shown_at(
+    scene: Scene,
+    captions: Sequence[str],
+    view: str,
+    *,
+    loads: bool = True,
+    names: bool | None = None,
+    over: Sequence[tuple[Sequence[Area], Sequence[Label]]] = (),
+) -> list[Stand]:
+    """All samples of a scene with their loads and names. names : by default where there are not too many. over : of each sample
+    the curves over the structure, and their values, which are written first.
+    """
     found = []
     for k, caption in enumerate(captions):
         places = Places(scene, k)
         pairs = [pair for *pair, _ in arrows(places, k, view)] if loads else []
-        labels = named(places, view, names)
-        found.append(stand(places, view, sample=k, caption=caption, arrows=pairs, labels=labels))
+        drawn, values = over[k] if over else ((), ())
+        labels = [*values, *named(places, view, names)]
+        found.append(stand(places, view, sample=k, caption=caption, arrows=pairs, labels=labels, areas=drawn))
     return found
 
 
@@ -134,6 +147,15 @@ def named(places: Places, view: str = "iso", names: bool | None = None) -> list[
 def middle(places: Places, member: int, view: str = "iso") -> Array:
     """The point on paper halfway along a member, by its place among those shown."""
     return point_of(projected(places.lines[member], view))
+
+
+def _upright(kind: str, axes: Array) -> Array:
+    """Axes x, y (2, 2) of a symbol on paper: of a direction as it is seen, not shorter than half; of a rotation as they are."""
+    if kind.startswith("turn"):
+        return axes if axes.any() else np.eye(2)
+    size = float(np.linalg.norm(axes[1]))
+    y = axes[1] / size if size > EDGE else np.array([0.0, 1.0])
+    return np.array([[y[1], -y[0]], y * max(size, 0.5)])
 
 
 def _on_member(places: Places, node: int, way: Array, view: str) -> bool:
