@@ -8,6 +8,13 @@ from numcodecs.zstd import Zstd
 
 from kinetruss.results.archive import Member, content_of, listed, walked
 from kinetruss.results.folder import ARCHIVE, ARRAYS
+from kinetruss.results.store import End, Writer
+
+
+def ended(writer: Writer, status: str, message: str = "") -> None:
+    """The run of a writer marked as ended, and its folder let go."""
+    writer.append({}, end=End(status, message))
+    writer.release()
 
 
 def members(folder: Path) -> dict[str, Member]:

@@ -6,7 +6,7 @@ from pathlib import Path
 
 import pytest
 
-import frames
+import loaded_frames as frames
 from hand import Hand
 from kinetruss import viewer
 from kinetruss.report.pictures.over_structure import of_run

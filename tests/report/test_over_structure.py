@@ -5,8 +5,8 @@ import re
 import pytest
 from click.testing import CliRunner
 
-import frames
 import kinetruss as kt
+import loaded_frames as frames
 from kinetruss import io, report
 from kinetruss.cli import main
 from kinetruss.errors import InputError

@@ -26,7 +26,7 @@ from kinetruss.results.lock import LOCK, hold, holding, is_locked
 from kinetruss.results.store import create, open_store, store_whole
 from permissions import bound
 from samples import fourbar
-from stores import archived, members, stopped
+from stores import archived, ended, members, stopped
 
 HOLD = """
 import sys
@@ -254,7 +254,7 @@ def test_a_folder_removed_under_its_writer_is_not_written_to_again(tmp_path, rep
     for write in (
         lambda: writer.append(rows(2)),
         lambda: writer.pause("INTERRUPTED", "", 0.0),
-        lambda: writer.close("COMPLETED"),
+        lambda: ended(writer, "COMPLETED"),
     ):
         with pytest.raises(StoreError, match=r"was removed or replaced .* Run it again"):
             write()
@@ -302,7 +302,7 @@ def test_a_folder_that_is_renamed_between_check_and_write_takes_the_block_along(
     assert not (path / "state").exists()
     assert open_store(tmp_path / "moved").read("motion").q.values.tolist() == [0, 1, 2, 3]
     with pytest.raises(StoreError, match="was removed or replaced"):
-        writer.close("COMPLETED")
+        ended(writer, "COMPLETED")
 
 
 def test_a_link_is_as_good_as_its_folder(tmp_path):

@@ -3,6 +3,7 @@
 import importlib.util
 import json
 import os
+from contextlib import suppress
 from pathlib import Path
 
 import numpy as np
@@ -158,10 +159,8 @@ def test_an_interrupt_while_files_are_written_takes_nothing_back(tmp_path, monke
         with monkeypatch.context() as patched:
             patched.setattr("os.fsync", then_interrupted(os.fsync))
             patched.setattr(Path, "replace", then_interrupted(Path.replace))
-            try:
+            with suppress(KeyboardInterrupt):
                 run(model(), out=tmp_path / f"half_{first}", block=40)
-            except KeyboardInterrupt:
-                pass
         store = open_store(tmp_path / f"half_{first}")
         assert store.ledger.committed >= calls["committed"]
         if store.ledger.state != "finished":
@@ -169,6 +168,27 @@ def test_an_interrupt_while_files_are_written_takes_nothing_back(tmp_path, monke
             assert resume(tmp_path / f"half_{first}").whole
         assert acceptance.differences(tmp_path / "whole", tmp_path / f"half_{first}") == []
     assert again > 10
+
+
+@pytest.mark.slow
+def test_a_run_with_all_samples_and_without_its_end_gets_it(tmp_path, monkeypatch):
+    """As earlier versions left it, which wrote the end after the last block."""
+    from kinetruss.runs import running
+
+    def stop(done: int, total: int) -> None:
+        if done == total:
+            raise KeyboardInterrupt
+
+    run(model(20.0), out=tmp_path / "whole", block=10)
+    blocks = running.blocks
+    monkeypatch.setattr(running, "blocks", lambda *given, **how: (one.with_(last=False) for one in blocks(*given, **how)))
+    with pytest.raises(KeyboardInterrupt):
+        run(model(20.0), out=tmp_path / "half", block=10, progress=stop)
+    monkeypatch.undo()
+    assert (load(tmp_path / "half").good, load(tmp_path / "half").state) == (101, "incomplete")
+    assert resume(tmp_path / "half").whole
+    assert acceptance.differences(tmp_path / "whole", tmp_path / "half") == []
+    assert load(tmp_path / "half").simulation.events
 
 
 @pytest.mark.slow

@@ -14,6 +14,7 @@ from kinetruss.results.encoding import encoded
 from kinetruss.results.folder import ARCHIVE, Ledger, check_target, is_store
 from kinetruss.results.lock import is_locked
 from kinetruss.results.store import Writer, create, key, open_store, reopen
+from stores import ended
 
 
 def block(first: int, count: int = 10, size: int = 3) -> xr.Dataset:
@@ -38,7 +39,7 @@ def test_blocks_come_back_as_one_dataset(tmp_path):
     with_two = create(tmp_path / "run", ledger(), "{}")
     for first in (0, 10, 20):
         with_two.append({"motion": block(first), "forces/all/total": block(first)})
-    with_two.close("COMPLETED")
+    ended(with_two, "COMPLETED")
     store = open_store(tmp_path / "run")
     assert store.groups == ("motion", "forces/all/total")
     assert store.ledger.whole
@@ -48,7 +49,7 @@ def test_blocks_come_back_as_one_dataset(tmp_path):
 def test_another_zarr_reader_sees_the_same(tmp_path):
     writer = create(tmp_path / "run", ledger(10), "{}")
     writer.append({"motion": block(0)})
-    writer.close("COMPLETED")
+    ended(writer, "COMPLETED")
     plain = opened(tmp_path / "run")
     np.testing.assert_array_equal(plain["force"].values, block(0)["force"].values)
     assert plain["force"].attrs["units"] == "N"
@@ -78,14 +79,14 @@ def test_reopening_goes_on_behind_the_last_good_sample(tmp_path):
     again = reopen(path, open_store(path).ledger)
     again.append({"motion": block(10)})
     again.append({"motion": block(20)})
-    again.close("COMPLETED")
+    ended(again, "COMPLETED")
     xr.testing.assert_identical(open_store(path).read("motion").load(), block(0, 30))
 
 
 def test_a_run_that_stopped_early_is_cut_to_what_is_good(tmp_path):
     writer = create(tmp_path / "run", ledger(), "{}")
     writer.append({"motion": block(0)})
-    writer.close("SINGULAR", "why")
+    ended(writer, "SINGULAR", "why")
     store = open_store(tmp_path / "run")
     assert (store.ledger.status, store.ledger.message, store.ledger.whole) == ("SINGULAR", "why", False)
     plain = opened(tmp_path / "run")
@@ -97,7 +98,7 @@ def test_tables_known_at_the_end_join_their_group(tmp_path):
     writer.append({"demand/all": block(0)})
     rule = xr.Dataset({"value": ("rule", [1.0, 2.0]), "note": ("rule", ["a", "b"])}, {"rule": ["x", "y"]})
     writer.append({"demand/all": rule})
-    writer.close("COMPLETED")
+    ended(writer, "COMPLETED")
     found = open_store(tmp_path / "run").read("demand/all")
     assert found["note"].values.tolist() == ["a", "b"]
     assert found.sizes == {"time": 10, "member": 3, "rule": 2}
@@ -126,7 +127,7 @@ def test_a_folder_of_something_else_is_never_replaced(tmp_path, overwrite):
 def test_a_run_is_replaced_only_when_asked_and_other_files_in_it_stay(tmp_path):
     writer = create(tmp_path, ledger(), "{}")
     writer.append({"motion": block(0)})
-    writer.close("COMPLETED")
+    ended(writer, "COMPLETED")
     (tmp_path / "notes.txt").write_text("mine")
     with pytest.raises(InputError, match="holds a run already"):
         check_target(tmp_path, overwrite=False)
@@ -170,7 +171,7 @@ def test_what_is_not_a_run_is_said(tmp_path):
 def test_names_cannot_lead_out_of_the_folder(tmp_path):
     writer = create(tmp_path / "run", ledger(10), "{}")
     writer.append({f"forces/{key('..')}/total": block(0), f"forces/{key('a:b')}/total": block(0)})
-    writer.close("COMPLETED")
+    ended(writer, "COMPLETED")
     assert sorted(path.name for path in tmp_path.iterdir()) == ["run"]
     assert len(open_store(tmp_path / "run").groups) == 2
 

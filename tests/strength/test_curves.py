@@ -3,12 +3,12 @@
 import numpy as np
 import pytest
 
-import frames
 import kinetruss as kt
-from frames import EI, LOAD, LONG
+import loaded_frames as frames
 from kinetruss.errors import InputError
 from kinetruss.runs import run
 from kinetruss.strength.curves import curves, factor_of, only, quantities_shown
+from loaded_frames import EI, LOAD, LONG
 from samples import fourbar
 
 

@@ -3,8 +3,8 @@
 import numpy as np
 import pytest
 
-import frames
 import kinetruss as kt
+import loaded_frames as frames
 from drawn import drawing
 from kinetruss import report, viewer
 from kinetruss.display.symbols import SUPPORTS

@@ -19,7 +19,7 @@ import os
 import zipfile
 from collections.abc import Callable, Mapping
 from contextlib import ExitStack, suppress
-from dataclasses import dataclass, replace
+from dataclasses import dataclass, field, replace
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 from urllib.parse import quote
@@ -95,6 +95,15 @@ class Store:
         return read_state(self.path, self.ledger.committed)
 
 
+@dataclass(frozen=True, slots=True)
+class End:
+    """The end of a run: its status and message, and the `groups` known only then."""
+
+    status: str
+    message: str = ""
+    groups: Mapping[str, xr.Dataset] = field(default_factory=dict)
+
+
 class Writer:
     """Writes a run block by block into its archive; `ledger` counts the committed samples."""
 
@@ -103,11 +112,16 @@ class Writer:
         self._archive, self._lock = archive, lock
 
     def append(
-        self, datasets: Mapping[str, xr.Dataset], wall_time: float = 0.0, state: Mapping[str, NDArray[Any]] | None = None
+        self,
+        datasets: Mapping[str, xr.Dataset],
+        wall_time: float = 0.0,
+        state: Mapping[str, NDArray[Any]] | None = None,
+        end: End | None = None,
     ) -> None:
         """Write one block of samples of every group, and the state after it, then commit it.
 
-        Groups without a time axis are written completely; the last one replaces the others.
+        Groups without a time axis are written completely; the last one replaces the others. end : of a run of which this is the
+        last block; it is marked as ended in the same step, so that no part of what is known only then can be missing.
 
         Raises
         ------
@@ -118,7 +132,11 @@ class Writer:
             (data.sizes["time"] for data in datasets.values() if "time" in data.dims), default=0
         )
         try:
-            self._archive.append(dict(encoded(datasets, self.ledger, self._attributes(datasets))))
+            for groups in [datasets] if end is None else [datasets, end.groups]:
+                self._archive.append(dict(encoded(groups, self.ledger, self._attributes(groups))))
+            if end is not None:
+                self._finish(count, end, wall_time)
+                return
             if state is not None:
                 write_state(self._lock.folder, count, state)
             self._commit(committed=count, wall_time=wall_time)
@@ -138,21 +156,14 @@ class Writer:
         except OSError as error:
             raise self._failed(error) from error
 
-    def close(self, status: str, message: str = "", wall_time: float | None = None) -> None:
+    def _finish(self, count: int, end: End, wall_time: float) -> None:
         """Mark the run as ended, and cut arrays to the good samples if it stopped early."""
-        try:
-            self._lock.check()
-            if self.ledger.committed < self.ledger.samples:
-                names = [name for name in self._archive.members if name.endswith(DESCRIPTION)]
-                self._archive.append({name: cut(self._archive.read(name), self.ledger.committed) for name in names})
-            self._archive.seal()
-            wall = self.ledger.wall_time if wall_time is None else wall_time
-            self._commit(state="finished", status=status, message=message, wall_time=wall)
-            drop_states(self._lock.folder)
-        except OSError as error:
-            raise self._failed(error) from error
-        finally:
-            self.release()
+        if count < self.ledger.samples:
+            names = [name for name in self._archive.members if name.endswith(DESCRIPTION)]
+            self._archive.append({name: cut(self._archive.read(name), count) for name in names})
+        self._archive.seal()
+        self._commit(state="finished", committed=count, status=end.status, message=end.message, wall_time=wall_time)
+        drop_states(self._lock.folder)
 
     def release(self) -> None:
         """Let another process write; the run does not change."""

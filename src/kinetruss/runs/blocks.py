@@ -57,17 +57,18 @@ def blocks(
         yield from simulated(plan, first, state, fitted=fitted)
         return
     if plan.given is None and plan.run.trajectory is None:
-        yield standing(plan)
+        yield standing(plan).with_(last=True)
         return
     while first < len(plan.times):
         motion = _motion(plan, first, position)
         if not len(motion.arrays["time"].values):
-            yield Block(motion=motion, forces={}, sections={}, demand={}, verdict=None)
-            return
-        yield _analysed(plan, motion)
-        if not motion.status.ok:
+            yield Block(motion=motion, forces={}, sections={}, demand={}, verdict=None, last=True)
             return
         first += plan.block
+        last = not motion.status.ok or first >= len(plan.times)
+        yield _analysed(plan, motion).with_(last=last)
+        if last:
+            return
         position = motion.arrays["position"].values[-1]
 
 

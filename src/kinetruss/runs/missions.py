@@ -18,7 +18,7 @@ from kinetruss.model.runs import MISSION
 from kinetruss.results import Motion, Status, model_hash, provenance
 from kinetruss.results.folder import Ledger, claimed
 from kinetruss.results.lock import holding
-from kinetruss.results.store import Writer, create, open_store, reopen
+from kinetruss.results.store import End, Writer, create, open_store, reopen
 from kinetruss.runs.blocks import blocks
 from kinetruss.runs.joining import concatenated, notes_of
 from kinetruss.runs.mission_drives import PairDrives
@@ -113,9 +113,9 @@ def _stream(found: Envelope, writer: Writer | None, progress: Progress | None, s
             if progress is not None:
                 progress(len(found.rows), len(found.pairs))
         if writer is not None:
-            writer.append({"envelope": found.dataset()})
             ended = _ended(found)
-            writer.close(ended["status"].name, ended["message"], time.perf_counter() - started)
+            end = End(ended["status"].name, ended["message"], {"envelope": found.dataset()})
+            writer.append({}, time.perf_counter() - started, end=end)
     except KeyboardInterrupt:
         if writer is not None:
             writer.pause(Status.INTERRUPTED.name, "", time.perf_counter() - started)

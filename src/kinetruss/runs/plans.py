@@ -30,7 +30,7 @@ class Block:
     """Results of consecutive samples, by load case; `verdict` over all cases.
 
     statics : of static analyses, with a time axis.
-    simulation : for a simulated motion; `state` is the state of its integration after the block.
+    simulation : for a simulated motion; `state` is the state of its integration after the block. last : nothing follows.
     """
 
     motion: Motion
@@ -41,6 +41,7 @@ class Block:
     statics: Mapping[str, Result] = field(default_factory=dict)
     simulation: Simulation | None = None
     state: Mapping[str, NDArray[Any]] | None = None
+    last: bool = False
 
     def with_(self, **changes: Any) -> Block:
         """The block with some fields changed."""

@@ -15,7 +15,7 @@ from kinetruss.model.runs import MISSION
 from kinetruss.results import Status, model_hash, provenance
 from kinetruss.results.folder import Ledger, claimed
 from kinetruss.results.lock import check_unlocked, holding
-from kinetruss.results.store import Store, Writer, create, open_store, reopen
+from kinetruss.results.store import End, Store, Writer, create, open_store, reopen
 from kinetruss.runs.blocks import blocks, stored_blocks
 from kinetruss.runs.joining import Accumulator, groups_of, in_memory, tail_groups
 from kinetruss.runs.missions import resume_mission, run_mission
@@ -135,8 +135,12 @@ def resume(out: str | Path, *, progress: Progress | None = None) -> RunResult:
             (store.read("motion", whole=True)["position"].isel(time=-1).values, store.state()) if first else (None, None)
         )
         accumulated = Accumulator(job.model, message=store.ledger.message)
-        for block in stored_blocks(job, from_store(store)) if first else ():
-            accumulated.add(block)
+        if first:
+            before = from_store(store)
+            for block in stored_blocks(job, before):
+                accumulated.add(block)
+            if before.simulation is not None:
+                accumulated.simulation = before.simulation.whole.drop_dims("time")
         computed = blocks(job, first, position, state)
         _stream(job, reopen(path, store.ledger, held), accumulated, computed, progress, started - store.ledger.wall_time)
     return from_store(open_store(path))
@@ -157,18 +161,23 @@ def _stream(
     try:
         for block in computed:
             accumulated.add(block)
-            writer.append(groups_of(block), time.perf_counter() - started, block.state)
+            end = _end_of(accumulated) if block.last else None
+            writer.append(groups_of(block), time.perf_counter() - started, block.state, end)
             if progress is not None:
                 progress(writer.ledger.committed, len(job.times))
-        if writer.ledger.committed:
-            writer.append(tail_groups(accumulated))
-        writer.close(accumulated.status.name, accumulated.message, time.perf_counter() - started)
+        if writer.ledger.state != "finished":  # nothing was left to compute
+            writer.append({}, time.perf_counter() - started, end=_end_of(accumulated))
     except KeyboardInterrupt:
         writer.pause(Status.INTERRUPTED.name, accumulated.message, time.perf_counter() - started)
         raise
     finally:
         writer.release()
     return accumulated
+
+
+def _end_of(accumulated: Accumulator) -> End:
+    """The end of a run, with the results known only then."""
+    return End(accumulated.status.name, accumulated.message, tail_groups(accumulated) if accumulated.count else {})
 
 
 def _in_memory(job: Plan, progress: Progress | None, started: float) -> RunResult:

@@ -65,7 +65,7 @@ def simulated(
             found = judged(plan, simulation.motion, {simulation.forces.load_case: simulation.forces})
         else:
             found = Block(motion=simulation.motion, forces={}, sections={}, demand={}, verdict=None)
-        yield found.with_(simulation=simulation, state=work.arrays())
+        yield found.with_(simulation=simulation, state=work.arrays(), last=work.ended or last == len(plan.times))
         if work.ended:
             return
         if not first:
