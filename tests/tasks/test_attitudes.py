@@ -56,7 +56,7 @@ def test_rates_of_the_geodesic_are_those_of_a_turn_about_a_fixed_axis():
 def test_forms_of_one_attitude_are_one_task():
     R = WANTED.as_matrix()
     forms = [
-        WANTED.as_rotvec().tolist(), [f"{np.degrees(one)!r} deg" for one in WANTED.as_rotvec().tolist()],
+        WANTED.as_rotvec().tolist(), [f"{np.degrees(one)} deg" for one in WANTED.as_rotvec().tolist()],
         WANTED.as_quat(scalar_first=True).tolist(), (-3 * WANTED.as_quat(scalar_first=True)).tolist(), R.round(8), WANTED,
         *({"xyz"[i]: (2 * R[:, i]).tolist(), "xyz"[j]: (R[:, j] + 0.4 * R[:, i]).tolist()}
           for i in range(3) for j in range(3) if i != j),
@@ -114,8 +114,8 @@ def test_a_mast_turns_its_tip_through_a_right_angle_and_a_line_of_its_own():
     normal = kt.kinematics.platform(MAST, motion, TOP).normal.values
     angle = quintic(motion.time.values) * np.pi / 2
     assert normal == pytest.approx(np.stack([np.sin(angle), 0 * angle, np.cos(angle)], axis=1), abs=1e-9)
-    motion = kt.kinematics.inverse(MAST, kt.Pointing(line=("B6.N1", "B6.N7"), direction=(0.5, 0.3, 1)), samples=5)
-    along = np.subtract(*motion.position.sel(node=["B6.N7", "B6.N1"]).values[-1])
+    motion = kt.kinematics.inverse(MAST, kt.Pointing(line=("B5.N7", "B6.N7"), direction=(0.5, 0.3, 1)), samples=5)
+    along = np.subtract(*motion.position.sel(node=["B6.N7", "B5.N7"]).values[-1])
     assert along / np.linalg.norm(along) == pytest.approx(np.array([0.5, 0.3, 1]) / np.linalg.norm([0.5, 0.3, 1]), abs=1e-9)
 
 

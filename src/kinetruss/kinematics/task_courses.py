@@ -157,8 +157,8 @@ def _between(a: Floats, b: Floats) -> tuple[Floats, float]:
 def _refuse_half(turn: float, what: str) -> None:
     if turn > math.pi - EVEN:
         raise InputError(
-            f"{what} is half a turn from the start, so there is more than one shortest way. Go by an attitude in between, or "
-            "in two tasks, one after the other."
+            f"{what} is half a turn from the start, so there is more than one shortest way. Go to one in between first, in a "
+            "motion of its own."
         )
 
 
