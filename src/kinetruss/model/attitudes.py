@@ -37,7 +37,7 @@ def _attitude(value: Any) -> tuple[tuple[float, ...], ...]:
         R = _from_matrix(np.array([_numbers(row, 3) for row in value]))
     else:
         R = _from_vector(_numbers(value, 3, "angle"))
-    return tuple(tuple(row) for row in R.tolist())
+    return tuple(tuple(row) for row in (R + 0.0).tolist())
 
 
 def _numbers(values: Any, count: int, kind: str = "number") -> Any:
@@ -91,7 +91,7 @@ def _from_matrix(R: Any) -> Any:
 
 
 def _from_directions(given: dict[str, Any]) -> Any:
-    """The first axis as given, the second as near to its direction as may be (Black, 1964)."""
+    """The first axis as given, the second as near to its direction as may be (H. D. Black, AIAA Journal 2 (1964) 1350-1351)."""
     if len(given) != 2 or not set(given) <= set("xyz"):
         raise ValueError(
             f"{shown(given)} does not say where two axes point. Name two of x, y, z, e.g. {{z: [0, 1, 1], x: [1, 0, 0]}}."

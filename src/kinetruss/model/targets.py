@@ -38,6 +38,10 @@ if TYPE_CHECKING:
 Law = Literal["quintic", "trapezoid", "constant", "spline"]
 Ramp = Annotated[Number, Field(gt=0, le=0.5)]
 Objective = Literal["least_change", "stroke_ends", "least_effort", "conditioning"]
+Rates = PositiveRate | Table[DriveName, PositiveRate]
+Accelerations = PositiveSecondRate | Table[DriveName, PositiveSecondRate]
+Forces = PositiveForce | Table[DriveName, PositiveForce]
+"""Of all drives, or by name."""
 Nodes = Annotated[tuple[NodeName, ...], Field(min_length=2)]
 
 
@@ -131,9 +135,9 @@ class _Resolved(Record):
     weights: Table[DriveName, PositiveNumber] = ReadOnly()
     hold: tuple[DriveName, ...] = ()
     within_stroke: Flag = True
-    rate: PositiveRate | Table[DriveName, PositiveRate] | None = None
-    acceleration: PositiveSecondRate | Table[DriveName, PositiveSecondRate] | None = None
-    force: PositiveForce | Table[DriveName, PositiveForce] | None = None
+    rate: Rates | None = None
+    acceleration: Accelerations | None = None
+    force: Forces | None = None
     within_rates: Flag = True
 
 
