@@ -18,7 +18,15 @@ from kinetruss.kinematics.objectives import KNOTTED, best_state
 from kinetruss.kinematics.redundant import LEAST, Path
 from kinetruss.kinematics.sampling import sample_profile
 from kinetruss.kinematics.task_courses import LARGEST, PLATFORM, at_values, explained, freedoms, parameters_of
-from kinetruss.kinematics.task_motions import cannot, choice_of, divided, nearest_text, prescribed_values, tasks_course
+from kinetruss.kinematics.task_motions import (
+    cannot,
+    choice_of,
+    divided,
+    nearest_text,
+    prescribed_values,
+    tasks_course,
+    turned_off,
+)
 from kinetruss.kinematics.task_problem import MET, STARTS, Problem, State, problem
 from kinetruss.kinematics.time_tables import Histories, table_notes, with_supports
 from kinetruss.kinematics.turns import REFINED, between, halved
@@ -272,7 +280,8 @@ def reach(
     Parameters
     ----------
     targets : a task, several of them, or a trajectory, as in `inverse`; of its moves the end counts.
-    values : coordinate of the task -> (poses,), m or rad: these poses instead; coordinates not named stay at the start.
+    values : coordinate of the task -> (poses,), m or rad: these poses instead; coordinates not named stay at the start,
+        also the attitude or direction of a task.
     onward : start each pose from the one before, not from the model's own configuration.
     starts : places from which a pose that is not met is sought, at most: the given one, the model's own, a spread of drives
         over their strokes (without limits: about the start) and some near by; the same in every call.
@@ -280,7 +289,8 @@ def reach(
     Returns
     -------
     Dataset over `pose`: ``drive_position`` (pose, drive) m or rad, ``position`` (pose, node, axis) m, ``asked`` and ``found``
-    (pose, coordinate), ``miss`` (pose) m (angles times the shortest bar), ``reached`` (pose), ``starts`` (pose): how many
+    (pose, coordinate), ``miss`` (pose) m (angles times the shortest bar), ``turn_miss`` (pose): rotation angle, rad, from the
+    attitude or direction asked for (NaN: none is), ``reached`` (pose), ``starts`` (pose): how many
     were used, ``same`` (pose): how many of them came as near as the best, ``message`` (pose): empty, or what the nearest
     pose has.
 
@@ -357,6 +367,12 @@ def _dataset(given: Problem, names: list[str], parameters: Any, states: list[Sta
         ),
         "found": variable(("pose", "coordinate"), given.tasks.read(np.stack([one.x for one in states])), asked, "found"),
         "miss": variable(("pose",), far, "m", "largest miss of a coordinate"),
+        "turn_miss": variable(
+            ("pose",),
+            np.array([turned_off(given, one.x, row) for one, row in zip(states, parameters, strict=True)]),
+            "rad",
+            "rotation angle from the attitude or direction asked for",
+        ),
         "reached": ("pose", reached),
         "starts": ("pose", np.array([one.starts for one in states])),
         "same": ("pose", np.array([one.same for one in states])),

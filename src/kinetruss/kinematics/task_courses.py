@@ -11,7 +11,7 @@ import numpy as np
 from kinetruss.errors import InputError
 from kinetruss.kernels.motion import profiles
 from kinetruss.kinematics.sampling import sample_profile
-from kinetruss.kinematics.task_programs import Asked, Tasks, moved
+from kinetruss.kinematics.task_programs import DIRECTION, EVEN, Asked, Tasks, moved
 from kinetruss.kinematics.time_tables import through
 from kinetruss.mechanics import RANK_TOLERANCE, System, jacobian
 from kinetruss.model import TRAJECTORY_TASKS, Way
@@ -117,7 +117,7 @@ def parameters_of(tasks: Tasks, start: Floats, t: Floats) -> Floats:
             continue
         turns.append(law)
         if asked.rotation == 2:
-            R = _rotation(*turns)
+            R = _rotation(*turns) if _still(asked.task) else _shortest(tasks, asked.task, t)
             columns += [R[:, :, i, j] for i in range(3) for j in range(3)]
             turns = []
     return np.ascontiguousarray(np.stack(columns, axis=2))
@@ -126,6 +126,56 @@ def parameters_of(tasks: Tasks, start: Floats, t: Floats) -> Floats:
 def _rotation(roll: Floats, pitch: Floats, yaw: Floats) -> Floats:
     """Taylor coefficients (3, times, 3, 3) of Rz Ry Rx from those of the angles (3, times)."""
     return _product(_product(_about(2, yaw), _about(1, pitch)), _about(0, roll))
+
+
+def _still(task: Any) -> bool:
+    """True of a task whose turns go by their angles, and not by the shortest way to an attitude or a direction."""
+    return getattr(task, "attitude", None) is None and getattr(task, "direction", None) is None
+
+
+def _shortest(tasks: Tasks, task: Any, t: Floats) -> Floats:
+    """Taylor coefficients (3, times, 3, 3) of the shortest turn of a frame from where it starts."""
+    first = tasks.begin_turned[id(task)]
+    if getattr(task, "attitude", None) is None:  # its third axis is to have a direction
+        axis, turn = _between(first[:, 2], np.array(task.direction))
+    else:
+        by = np.array(task.attitude) @ first.T
+        half = np.array([by[2, 1] - by[1, 2], by[0, 2] - by[2, 0], by[1, 0] - by[0, 1]]) / 2
+        turn = math.atan2(float(np.linalg.norm(half)), (np.trace(by) - 1) / 2)
+        axis = half / max(float(np.linalg.norm(half)), 1e-300)
+    _refuse_half(turn, "The attitude")
+    return _turn_about(axis, turn * _share(task, t)) @ first
+
+
+def _between(a: Floats, b: Floats) -> tuple[Floats, float]:
+    """Axis and angle (rad) of the shortest turn from one unit vector (3,) to another."""
+    normal = np.cross(a, b)
+    size = float(np.linalg.norm(normal))
+    return normal / max(size, 1e-300), math.atan2(size, float(a @ b))
+
+
+def _refuse_half(turn: float, what: str) -> None:
+    if turn > math.pi - EVEN:
+        raise InputError(
+            f"{what} is half a turn from the start, so there is more than one shortest way. Go to one in between first, in a "
+            "motion of its own."
+        )
+
+
+def _share(task: Any, t: Floats) -> Floats:
+    """Taylor coefficients (3, times) of the share of its only move that a task has done, by its law."""
+    value, rate, second = _through(Way(values=(1.0,)), task, 0.0, t)
+    return np.stack([value, rate, 0.5 * second])
+
+
+def _turn_about(axis: Floats, a: Floats) -> Floats:
+    """Taylor coefficients (3, times, 3, 3) of the turn about a unit vector by angles a (3, times): c 1 + s K + (1 - c) k kT."""
+    about = _about(2, a)
+    cosine, sine = about[:, :, :1, :1], about[:, :, 1:2, :1]
+    one = np.zeros_like(cosine)
+    one[0] = 1.0
+    K = np.cross(axis, np.eye(3)).T
+    return cosine * np.eye(3) + sine * K + (one - cosine) * np.outer(axis, axis)
 
 
 def _product(A: Floats, B: Floats) -> Floats:
@@ -150,6 +200,8 @@ def course_of(tasks: Tasks, asked: Asked, start: float, t: Floats) -> Law:
     task, name = asked.task, asked.name
     if moved(task):
         return sample_profile(task, t, {name: start})[name]
+    if name in DIRECTION:
+        return _arc(tasks, task, name, t)
     path = getattr(task, "path", None)
     if path is not None and name in ("x", "y", "z"):
         return _around(tasks, task, path, name, t)
@@ -236,6 +288,15 @@ def _around(tasks: Tasks, task: Any, circle: Any, name: str, t: Floats) -> Law:
     value = centre[k] + along[k] + u * c + v * w + circle.rise * axis[k] * s
     first_by, second_by = full * (v * c - u * w) + circle.rise * axis[k], -(full**2) * (u * c + v * w)
     return value, first_by * rate, second_by * rate**2 + first_by * second
+
+
+def _arc(tasks: Tasks, task: Any, name: str, t: Floats) -> Law:
+    """A part of a direction that turns by the shortest way from where it starts."""
+    first = tasks.begin[id(task)]
+    axis, turn = _between(first, np.array(task.direction))
+    _refuse_half(turn, "The direction")
+    value, rate, half = (_turn_about(axis, turn * _share(task, t)) @ first)[:, :, DIRECTION.index(name)]
+    return value, rate, 2.0 * half
 
 
 def _function(given: Callable[[Any], Any], name: str, duration: float, t: Floats) -> Law:

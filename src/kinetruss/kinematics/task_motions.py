@@ -14,6 +14,7 @@ from kinetruss.kinematics.motions import Course, Swept, course_at
 from kinetruss.kinematics.objectives import KNOTTED, nearest_along, reference_along
 from kinetruss.kinematics.task_courses import parameters_of
 from kinetruss.kinematics.task_problem import MET, OPEN, Problem, State, followed, problem
+from kinetruss.kinematics.task_programs import DIRECTION
 from kinetruss.kinematics.turns import REFINED, divided_into, halved
 from kinetruss.kinematics.within_limits import INSTANTS, references_within
 from kinetruss.mechanics import System
@@ -184,6 +185,9 @@ def nearest_text(given: Problem, state: State, parameters: NDArray[np.float64]) 
     each = zip(given.tasks.asked, found, wanted, strict=True)
     said = [f"{asked.name} {value:.9g} (wanted {want:.9g})" for asked, value, want in each
             if np.isfinite(want) and abs(value - want) > 1e-9]  # fmt: skip
+    turn = turned_off(given, state.x, parameters)
+    if turn > 1e-9:
+        said.insert(0, f"an attitude {np.degrees(turn):.6g} deg from the one wanted")
     ends = np.minimum(np.abs(state.q - given.drives.lower), np.abs(state.q - given.drives.upper)) < 1e-9
     at = [name for name, there in zip(given.system.drives, ends, strict=True) if there]
     edge = f" At the ends of their strokes: {', '.join(at)}." if at else ""
@@ -216,6 +220,25 @@ def prescribed_values(given: Problem, parameters: NDArray[np.float64]) -> NDArra
             ]
             at += 9
     return np.array(found)
+
+
+def turned_off(given: Problem, x: NDArray[np.float64], parameters: NDArray[np.float64]) -> float:
+    """Largest rotation angle (rad) from an attitude or direction that parameters stand for to that at flat positions x (3 n,).
+
+    NaN if the tasks ask for none.
+    """
+    angles, at = [np.nan], 0
+    found = given.tasks.read(x[None])[0]
+    for k, one in enumerate(given.tasks.asked):
+        if one.rotation == 2:
+            by = parameters[at : at + 9].reshape(3, 3).T @ given.tasks.attitude(id(one.task), x)
+            # |R - 1| = 2 sqrt(2) sin(angle/2) in Frobenius' norm
+            angles.append(2 * np.arcsin(min(1.0, float(np.linalg.norm(by - np.eye(3))) / np.sqrt(8))))
+        elif one.name == DIRECTION[2]:
+            wanted, got = parameters[at - 2 : at + 1], found[k - 2 : k + 1]
+            angles.append(np.arctan2(np.linalg.norm(np.cross(wanted, got)), wanted @ got))
+        at += 1 if one.rotation < 0 else 9 * (one.rotation == 2)
+    return float(np.nanmax(angles)) if len(angles) > 1 else np.nan
 
 
 def _stuck(given: Problem, state: State, parameters: NDArray[np.float64]) -> str:

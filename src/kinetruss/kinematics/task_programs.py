@@ -26,7 +26,11 @@ from kinetruss.mechanics.positions import shortest
 from kinetruss.model import Combined, Coordinates, Docking, Gimbal, Pointing, Positioning, Reflecting, moved_by
 
 TURN = 2 * math.pi
+EVEN = 1e-6
+"""Smallest sine of the angle between two directions that have a common normal."""
 ANGLES = ("beta", "gamma", "roll", "pitch", "yaw")
+DIRECTION = ("direction.x", "direction.y", "direction.z")
+"""Coordinates of a direction that is asked for."""
 WORDS = {
     "x": "move along x",
     "y": "move along y",
@@ -54,7 +58,9 @@ class Tasks:
     """The program of tasks of a structure, and what it reads.
 
     program : of what is to be zero. readings : of the coordinates. asked : these, in order. labels : of results, in words.
-    begin : where the point of a task is at the start, (3,) m, by the id of its record.
+    begin : where the point of a task is at the start, (3,) m, by the id of its record; of a task with a direction, that.
+    turned : of tasks that ask for three turns of a frame, the program of R, row by row, by the id of the record.
+    begin_turned : R (3, 3) of these at the start.
     """
 
     def __init__(self, system: System) -> None:
@@ -63,6 +69,8 @@ class Tasks:
         self.asked: list[Asked] = []
         self.labels: list[str] = []
         self.begin: dict[int, Any] = {}
+        self.turned: dict[int, Program] = {}
+        self.begin_turned: dict[int, Any] = {}
 
     def ask(self, task: Any, name: str, read: Callable[[Program], Any]) -> None:
         """A coordinate of a task: what it reads is to be equal to a parameter."""
@@ -84,6 +92,8 @@ class Tasks:
 
     def unit(self, asked: Asked) -> str:
         """Unit of what is asked for."""
+        if asked.name in DIRECTION:
+            return ""
         return "rad" if asked.rotation >= 0 or _turns(self.system, asked.task, asked.name) else "m"
 
     def read(self, x: Any) -> Any:
@@ -94,9 +104,14 @@ class Tasks:
         """The same (asked,) at the start x (3 n,), from where moves and paths begin."""
         found = self.read(x[None])[0]
         for asked, value in zip(self.asked, found, strict=True):
-            if asked.name in ("x", "y", "z"):
-                self.begin.setdefault(id(asked.task), np.zeros(3))["xyz".index(asked.name)] = value
+            if asked.name in ("x", "y", "z", *DIRECTION):
+                self.begin.setdefault(id(asked.task), np.zeros(3))["xyz".index(asked.name[-1])] = value
+        self.begin_turned = {key: self.attitude(key, x) for key in self.turned}
         return found
+
+    def attitude(self, key: int, x: Any) -> Any:
+        """R (3, 3) of the frame of a task, by the id of its record, at flat positions x (3 n,)."""
+        return values(tape_of(self.turned[key], 0), x[None], np.zeros((1, 1)))[0].reshape(3, 3)
 
     def node(self, program: Program, name: str) -> Vector:
         """Position of a node."""
@@ -251,8 +266,14 @@ def _docking(made: Tasks, task: Docking) -> None:
     _placed(made, task, place)
     turns = _wanted(task, ("roll", "pitch", "yaw") if made.system.dim == 3 else ("yaw",))
 
+    _turning(made, task, turns, lambda program: made.rotation(program, task.platform, own))
+
+
+def _turning(made: Tasks, task: Any, turns: list[str], frame: Callable[[Program], list[list[Any]]]) -> None:
+    """Turns of a frame; if they are three, together as a matrix. frame : R (3, 3), columns are the axes."""
+
     def read(program: Program, name: str) -> Any:
-        R = made.rotation(program, task.platform, own)
+        R = frame(program)
         if name == "yaw":
             return angle(R[1][0], R[0][0])
         return angle(-R[2][0], root(R[0][0] * R[0][0] + R[1][0] * R[1][0])) if name == "pitch" else angle(R[2][1], R[2][2])
@@ -263,10 +284,12 @@ def _docking(made: Tasks, task: Docking) -> None:
         return
     for k, name in enumerate(turns):
         made.tell(task, name, partial(read, name=name), k)
-    R, wanted = (
-        made.rotation(made.program, task.platform, own),
-        [[made.program.parameter() for _ in range(3)] for _ in range(3)],
-    )
+    whole = made.turned.setdefault(id(task), Program())
+    for row in frame(whole):
+        for value in row:
+            whole.result(value)
+    R = frame(made.program)
+    wanted = [[made.program.parameter() for _ in range(3)] for _ in range(3)]
     M = [[dot((R[i][0], R[i][1], R[i][2]), (w[0], w[1], w[2])) for w in wanted] for i in range(3)]
     around = (M[0][0] + M[1][1] + M[2][2] + 1.0) * (0.5 / made.arm)
     for (i, j), name in zip(((2, 1), (0, 2), (1, 0)), turns, strict=True):
@@ -290,25 +313,57 @@ def _place_of(made: Tasks, task: Any, given: Any, prefix: str = "") -> Vector:
     return (found[0], found[1], found[2])
 
 
+def _arrow(made: Tasks, program: Program, task: Any) -> Vector:
+    """The normal of a platform, or a line from one node to another."""
+    if task.kind == "pointing" and task.line is not None:
+        return minus(made.node(program, task.line[1]), made.node(program, task.line[0]))
+    return made.normal(program, task.platform)
+
+
 def _direction(made: Tasks, task: Any) -> tuple[Vector, Vector, Any]:
     """Where a direction starts, the direction, and its value at the start (3,)."""
     program, x0 = made.program, made.system.x0
     if task.kind == "pointing" and task.line is not None:
-        a, b = (made.node(program, name) for name in task.line)
         p, q = (x0[made.system.node_index(name)] for name in task.line)
-        return a, minus(b, a), (q - p) / np.linalg.norm(q - p)
-    return made.centre(program, task.platform), made.normal(program, task.platform), made.axes_at_start(task.platform)[2]
+        return made.node(program, task.line[0]), _arrow(made, program, task), (q - p) / np.linalg.norm(q - p)
+    return made.centre(program, task.platform), _arrow(made, program, task), made.axes_at_start(task.platform)[2]
+
+
+def _upright(made: Tasks, program: Program, names: Sequence[str]) -> list[list[Any]]:
+    """R (3, 3), columns are the axes of a platform: z its normal, x as near as may be from its first node to its second."""
+    up = unit(made.normal(program, names))
+    ahead = unit(cross(up, minus(made.node(program, names[1]), made.node(program, names[0]))))
+    axes = (cross(ahead, up), ahead, up)
+    return [[axis[i] for axis in axes] for i in range(3)]
+
+
+def _directed(made: Tasks, task: Pointing) -> None:
+    """A direction is to be one that is given in time, three parameters: their tilts, about the axis of the turn as the pole,
+    from which both are a quarter turn away.
+    """
+    _, direction, start = _direction(made, task)
+    wanted = []
+    for k, name in enumerate(DIRECTION):
+        made.tell(task, name, _part(lambda program: unit(_arrow(made, program, task)), k))
+        wanted.append(made.program.parameter())
+    pole = np.cross(start, np.array(task.direction))
+    if np.linalg.norm(pole) < EVEN:  # no turn, or half of one: any axis normal to the start
+        pole = np.cross(start, np.eye(3)[int(np.argmin(np.abs(start)))])
+    pole /= np.linalg.norm(pole)
+    basis = [(float(x), float(y), float(z)) for x, y, z in (pole, np.cross(start, pole), start)]
+    seen, aim = ([dot(of, axis) for axis in basis] for of in (direction, (wanted[0], wanted[1], wanted[2])))
+    _aligned(made, "turn to the direction", np.array([0.0, 1.0, 1.0]), (seen[0], seen[1], seen[2]), (aim[0], aim[1], aim[2]))
 
 
 def _pointing(made: Tasks, task: Pointing) -> None:
+    if task.direction is not None:
+        if task.roll == "held":
+            _turning(made, task, ["roll", "pitch", "yaw"], lambda program: _upright(made, program, task.platform or ()))
+        else:
+            _directed(made, task)
+        return
     if task.at is None:
-
-        def parts(program: Program) -> Vector:
-            if task.line is None:
-                return made.normal(program, task.platform or ())
-            return minus(made.node(program, task.line[1]), made.node(program, task.line[0]))
-
-        _tilted(made, task, parts)
+        _tilted(made, task, lambda program: _arrow(made, program, task))
         return
     origin, direction, start = _direction(made, task)
     place = _place_of(made, task, _in_space(task.at))

@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING, Annotated, Any, ClassVar, Literal
 from pydantic import BeforeValidator, Field, PlainSerializer, TypeAdapter, WithJsonSchema, model_validator
 
 from kinetruss.errors import Fault
+from kinetruss.model.attitudes import Attitude
 from kinetruss.model.bodies import Frame
 from kinetruss.model.common_faults import other_quantity
 from kinetruss.model.drives import Direction, turns
@@ -37,6 +38,10 @@ if TYPE_CHECKING:
 Law = Literal["quintic", "trapezoid", "constant", "spline"]
 Ramp = Annotated[Number, Field(gt=0, le=0.5)]
 Objective = Literal["least_change", "stroke_ends", "least_effort", "conditioning"]
+Rates = PositiveRate | Table[DriveName, PositiveRate]
+Accelerations = PositiveSecondRate | Table[DriveName, PositiveSecondRate]
+Forces = PositiveForce | Table[DriveName, PositiveForce]
+"""Of all drives, or by name."""
 Nodes = Annotated[tuple[NodeName, ...], Field(min_length=2)]
 
 
@@ -130,9 +135,9 @@ class _Resolved(Record):
     weights: Table[DriveName, PositiveNumber] = ReadOnly()
     hold: tuple[DriveName, ...] = ()
     within_stroke: Flag = True
-    rate: PositiveRate | Table[DriveName, PositiveRate] | None = None
-    acceleration: PositiveSecondRate | Table[DriveName, PositiveSecondRate] | None = None
-    force: PositiveForce | Table[DriveName, PositiveForce] | None = None
+    rate: Rates | None = None
+    acceleration: Accelerations | None = None
+    force: Forces | None = None
     within_rates: Flag = True
 
 
@@ -233,6 +238,9 @@ class Docking(_Task):
 
     platform : nodes that carry the frame.
     frame : origin and axes in the model's own configuration; by default the centroid and the global axes.
+    attitude : in space, in place of the three turns: where the axes of the frame point at the end, in global axes, as a
+        rotation vector (rad), a quaternion (w, x, y, z), a rotation matrix (columns are the axes) or the directions of two
+        axes, ``{z: .., x: ..}``. The frame gets there by the shortest turn, about one axis, with the `law`.
     path : a `Circle` of the origin, in place of moves of its place.
     """
 
@@ -240,17 +248,27 @@ class Docking(_Task):
     kind: Literal["docking"] = "docking"
     platform: Nodes
     frame: Frame | None = None
+    attitude: Attitude | None = None
     path: Circle | None = None
+
+    @model_validator(mode="after")
+    def _one_attitude(self) -> Docking:
+        if self.attitude is not None and (turns := {"roll", "pitch", "yaw"} & {*self.moves, *self.free}):
+            raise ValueError(f"has an attitude, and {sorted(turns)[0]!r} is named too. Keep one.")
+        return self
 
 
 class Pointing(_Task):
     """A direction: the normal of `platform`, or the `line` from one node to another.
 
     It points at the place `at` (m), which moves with ``x``, ``y``, ``z``; without one it has the angles ``beta``, ``gamma`` of
-    `Gimbal` in the global axes: the direction (-sin gamma, -sin beta cos gamma, cos beta cos gamma).
+    `Gimbal` in the global axes: the direction (-sin gamma, -sin beta cos gamma, cos beta cos gamma). Or it turns to a
+    `direction` in space by the shortest way, with the `law`.
 
     platform : nodes whose plane has the normal, at least three. line : from the first node to the second.
-    at : the place that it points at, m.
+    at : the place that it points at, m. direction : x, y, z or three numbers, global axes, of any length but 0.
+    roll : with a direction, of the platform about its normal: ``free``, or ``held``: it does not turn about its normal, so that
+        the whole platform makes the shortest turn.
     """
 
     COORDINATES = ("beta", "gamma", "x", "y", "z")
@@ -258,11 +276,19 @@ class Pointing(_Task):
     platform: Nodes | None = None
     line: tuple[NodeName, NodeName] | None = None
     at: Point | None = None
+    direction: Direction | None = None
+    roll: Literal["free", "held"] = "free"
 
     @model_validator(mode="after")
     def _one_direction(self) -> Pointing:
         if (self.platform is None) == (self.line is None):
             raise ValueError("needs one direction. Give platform (its normal) or line (two nodes).")
+        if self.direction is not None and (named := [*self.moves, *self.free]):
+            raise ValueError(f"turns to a direction, and {named[0]!r} is named too. Keep one.")
+        if self.direction is not None and self.at is not None:
+            raise ValueError("has a direction and a place `at` to point at. Keep one.")
+        if self.roll == "held" and (self.direction is None or self.line is not None):
+            raise ValueError("holds its roll, which a platform that turns to a direction can. Give platform and direction.")
         angles = {"beta", "gamma"} & {*self.moves, *self.free}
         if self.at is not None and angles:
             raise ValueError(
@@ -386,6 +412,8 @@ def _single(model: ModelData, task: Any, path: Place) -> Iterator[Fault]:
         yield Fault(path, f"{task.kind} is a task in space; the model is planar.", "Use coordinates, positioning or docking.")
     if model.dim == 2 and (odd := [n for n in (*task.moves, *task.free) if n in ("z", "roll", "pitch")]):
         yield Fault((*path, "moves"), f"{odd[0]!r} is no coordinate in the plane.", "Use x, y, yaw.")
+    if model.dim == 2 and getattr(task, "attitude", None) is not None:
+        yield Fault((*path, "attitude"), "is one in space; the model is planar.", "Move yaw.")
     if isinstance(task, Gimbal) and task.division != "exact" and not model.poses:
         yield Fault(
             (*path, "division"),
