@@ -13,8 +13,10 @@ from kinetruss.results.store import End, Writer
 
 def ended(writer: Writer, status: str, message: str = "") -> None:
     """The run of a writer marked as ended, and its folder let go."""
-    writer.append({}, end=End(status, message))
-    writer.release()
+    try:
+        writer.append({}, end=End(status, message))
+    finally:
+        writer.release()
 
 
 def members(folder: Path) -> dict[str, Member]:

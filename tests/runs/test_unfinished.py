@@ -3,15 +3,17 @@
 import shutil
 from pathlib import Path
 
+import numpy as np
 import pytest
 from click.testing import CliRunner
 
 import kinetruss as kt
 from kinetruss.cli import main
 from kinetruss.results import Status
+from kinetruss.results.folder import ARCHIVE
 from kinetruss.results.lock import hold
 from kinetruss.results.store import open_store
-from kinetruss.runs import load, resume, run
+from kinetruss.runs import RunResult, load, resume, run
 from samples import fourbar
 from stores import stopped
 
@@ -97,3 +99,42 @@ def test_it_is_gone_on_with_to_the_end_of_a_run_that_was_never_stopped(whole, tm
     wanted = load(whole)
     assert [row.utilisation for row in found.verdict.table()] == [row.utilisation for row in wanted.verdict.table()]
     assert open_store(tmp_path / "run").ledger.status == open_store(whole).ledger.status
+
+
+def _stopped_and_resumed(model: kt.Model, folder: Path) -> tuple[RunResult, RunResult]:
+    """A run without interruption, and one that was interrupted after its second block."""
+
+    def stop(done: int, total: int) -> None:
+        if done == 2 * BLOCK:
+            raise KeyboardInterrupt
+
+    run(model, out=folder / "whole", block=BLOCK)
+    with pytest.raises(KeyboardInterrupt):
+        run(model, out=folder / "half", block=BLOCK, progress=stop)
+    assert load(folder / "half").good == 2 * BLOCK
+    assert resume(folder / "half").whole
+    return load(folder / "whole"), load(folder / "half")
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("analysis", ["dynamics.inverse", "kinematics.follow", "statics.at_poses", "statics.deflection"])
+def test_every_analysis_along_a_motion_goes_on(analysis, tmp_path):
+    model = fourbar(SAMPLES)
+    along = model.runs["turn"].with_(analysis=analysis)
+    _stopped_and_resumed(model.with_(runs={"turn": along}), tmp_path)
+    whole, half = (tmp_path / name for name in ("whole", "half"))
+    assert (half / ARCHIVE).read_bytes() == (whole / ARCHIVE).read_bytes()
+    assert {file.name for file in half.iterdir()} == {file.name for file in whole.iterdir()}
+
+
+@pytest.mark.slow
+def test_whole_turns_between_samples_survive_an_interrupt(tmp_path):
+    """A crank that turns 40 times from one sample to the next: what was between them is there again at the end."""
+    spin = kt.ConstantRate(rates={"motor": 100.0}, duration=2.5 * (SAMPLES - 1))
+    fast = fourbar(SAMPLES).with_(runs={"spin": kt.Run(analysis="kinematics.follow", trajectory=spin, samples=SAMPLES)})
+    asked, found = _stopped_and_resumed(fast, tmp_path)
+    times = asked.motion.whole["between_time"].values
+    assert len(times) > 100 * SAMPLES
+    assert (np.diff(times) > 0).all()
+    for name in ("between_time", "between_position", "between_velocity"):
+        np.testing.assert_array_equal(found.motion.whole[name], asked.motion.whole[name])

@@ -147,10 +147,13 @@ class Writer:
 
     def pause(self, status: str, message: str, wall_time: float) -> None:
         """Store why the run was stopped; it can be continued. One that has ended stays as it is."""
-        if self.ledger.state == "finished":
-            return
         self._lock.check()
         try:
+            # an interrupt may have come after the file was replaced: what it counts is not taken back
+            self.ledger = Ledger(**read_ledger(self._lock.folder))
+            if self.ledger.state == "finished":
+                drop_states(self._lock.folder)
+                return
             self._archive.seal()
             self._commit(status=status, message=message, wall_time=wall_time)
         except OSError as error:
@@ -184,14 +187,9 @@ class Writer:
         return StoreError(failure(self.path, self.ledger, error))
 
     def _commit(self, **changes: Any) -> None:
-        before = self.ledger
-        # first, so that an interrupt after the file is replaced cannot take back what it counts
-        self.ledger = replace(before, length=self._archive.length, **changes)
-        try:
-            write_ledger(self._lock.folder, self.ledger)
-        except OSError:
-            self.ledger = before
-            raise
+        ledger = replace(self.ledger, length=self._archive.length, **changes)
+        write_ledger(self._lock.folder, ledger)
+        self.ledger = ledger
 
 
 def key(case: str) -> str:

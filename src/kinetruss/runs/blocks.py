@@ -12,11 +12,13 @@ from kinetruss.errors import InputError
 from kinetruss.model.runs import FLEXIBLE, STATIC
 from kinetruss.results import Motion, Status
 from kinetruss.runs.at_rest import along, standing
+from kinetruss.runs.joining import BETWEEN
 from kinetruss.runs.plans import SIMULATED, Block, Plan, followed, judged
 from kinetruss.runs.results import RunResult
 from kinetruss.runs.simulated import simulated
 
 if TYPE_CHECKING:
+    import xarray as xr
     from numpy.typing import NDArray
 
 
@@ -25,11 +27,20 @@ def stored_blocks(plan: Plan, run: RunResult) -> Iterator[Block]:
     for first in range(0, run.good, plan.block):
         part = slice(first, min(first + plan.block, run.good))
         motion = _cut(run.motion, part)
+        if plan.run.analysis != SIMULATED:
+            # states between samples are in the store only at the end; a simulation has them in its state
+            before = run.motion.arrays["position"].values[first - 1] if first else None
+            motion = motion.with_(data=motion.whole.assign(_between(_motion(plan, first, before))))
         forces = {
             case: _cut(one, part).with_(motion=motion, static=None if one.static is None else _cut(one.static, part))
             for case, one in run.forces.items()
         }
         yield judged(plan, motion, forces)
+
+
+def _between(motion: Motion) -> dict[str, xr.DataArray]:
+    """The states of a motion between its samples."""
+    return {str(name): one for name, one in motion.whole.data_vars.items() if BETWEEN in one.dims}
 
 
 def _cut(result: Any, part: slice) -> Any:
@@ -76,7 +87,7 @@ def _motion(plan: Plan, first: int, position: NDArray[np.float64] | None) -> Mot
     """Motion of the samples of one block, started from the sample before it."""
     last = min(first + plan.block, len(plan.times))
     if plan.given is not None:
-        part = plan.given.with_(data=plan.given.whole.isel(time=slice(first, last)))
+        part = plan.given.with_(data=_instants(plan.given.whole, first, last))
         early = last < len(plan.given.arrays["time"].values)
         return part.with_(status=Status.COMPLETED, message="") if early else part
     lead = 0 if position is None else 1
@@ -88,6 +99,16 @@ def _motion(plan: Plan, first: int, position: NDArray[np.float64] | None) -> Mot
         # an error after good samples is part of the result, not an exception
         return _nothing(plan, first, position).with_(status=Status.INCONSISTENT, message=str(error))
     return motion.with_(data=motion.whole.isel(time=slice(lead, None))) if lead else motion
+
+
+def _instants(data: xr.Dataset, first: int, last: int) -> xr.Dataset:
+    """Samples `first` to `last` of a motion, and the states between them and after the sample before."""
+    part = data.isel(time=slice(first, last))
+    if BETWEEN not in data.dims:
+        return part
+    times, t = data["time"].values, data["between_time"].values
+    begin = times[first - 1] if first else -np.inf
+    return part.isel({BETWEEN: (t > begin) & (t < times[min(last, len(times)) - 1])})
 
 
 def _followed(plan: Plan, times: NDArray[np.float64], start: NDArray[np.float64] | None, *, raising: bool) -> Motion:

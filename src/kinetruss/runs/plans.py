@@ -51,7 +51,7 @@ class Block:
 def judged(plan: Plan, motion: Motion, forces: dict[str, Forces]) -> Block:
     """Results that follow from the forces: sections, utilisation, motor demands."""
     model, stations = plan.model, plan.run.stations
-    if plan.bare:
+    if plan.bare or not forces:
         return Block(motion=motion, forces=forces, sections={}, demand={}, verdict=None)
     if not plan.full:
         return Block(motion=motion, forces=forces, sections={}, demand={}, verdict=strength.check(model, forces))

@@ -15,6 +15,7 @@ import numpy as np
 
 from kinetruss.errors import StoreError
 from kinetruss.io.earlier import without_inner_parts
+from kinetruss.kinematics.turns import Passed
 from kinetruss.mechanics import compile
 from kinetruss.model import Event, Model, Run
 from kinetruss.model.table import read_only
@@ -32,6 +33,7 @@ from kinetruss.strength.findings import Finding, demands, find
 if TYPE_CHECKING:
     import xarray as xr
 
+    from kinetruss.results.arrays import Column
     from kinetruss.results.wide_tables import Row
 
 
@@ -174,7 +176,7 @@ def from_store(store: Store) -> RunResult:
     common: dict[str, Any] = {"status": status, "message": message, "provenance": dict(ledger.provenance)}
     origin = model_of(store)
     model = conditioned(origin, origin.runs[ledger.run])[0]
-    motion = Motion(data=_read(store, model, "motion"), **common)
+    motion = Motion(data=_read(store, model, "motion").assign(_passed(store, model)), **common)
     forces: Mapping[str, Forces] = {case: _forces(store, model, case, motion, common) for case in _cases(store, "forces")}
     sections: Mapping[str, Sections] = {
         case: Sections(data=store.read(f"sections/{key(case)}"), **common) for case in _cases(store, "sections")
@@ -239,6 +241,16 @@ def _read(store: Store, model: Model, group: str, motion: Motion | None = None) 
     if not model.whole.inner.nodes:
         return data
     return marked(compile(model), data, data["position"] if motion is None else motion.whole["position"])
+
+
+def _passed(store: Store, model: Model) -> dict[str, Column]:
+    """The states between the samples of a simulation that has not ended; they are in its state."""
+    if store.ledger.state == "finished":
+        return {}
+    with suppress(StoreError):  # a damaged state is reported when the run is resumed
+        if "passed_t" in (state := store.state() or {}):
+            return Passed(*(state[f"passed_{name}"] for name in ("t", "x", "v"))).variables(compile(model))
+    return {}
 
 
 def _forces(store: Store, model: Model, case: str, motion: Motion, common: dict[str, Any]) -> Forces:

@@ -141,6 +141,7 @@ def resume(out: str | Path, *, progress: Progress | None = None) -> RunResult:
                 accumulated.add(block)
             if before.simulation is not None:
                 accumulated.simulation = before.simulation.whole.drop_dims("time")
+                accumulated.between = accumulated.between[-1:]  # each has all of them
         computed = blocks(job, first, position, state)
         _stream(job, reopen(path, store.ledger, held), accumulated, computed, progress, started - store.ledger.wall_time)
     return from_store(open_store(path))
