@@ -31,7 +31,7 @@ STABILITY = "not checked: a beam buckles with the whole structure, by an analysi
 BARE = "not checked: no section, or no material"
 UNKNOWN = (
     "not checked: the positions are not those that the loads bend it to, and balance alone does not decide the forces of a "
-    "redundant structure; elastic statics has them (in the model file: statics.linear or statics.equilibrium)"
+    "redundant structure; elastic statics has them (in the model file: statics.linear)"
 )
 
 
