@@ -8,7 +8,8 @@ from collections.abc import Iterator
 from itertools import pairwise
 from typing import TYPE_CHECKING, Annotated, Any, ClassVar, Literal
 
-from pydantic import BeforeValidator, Field, PlainValidator, WithJsonSchema
+from pydantic import Field, GetCoreSchemaHandler, PlainValidator, WithJsonSchema
+from pydantic_core import core_schema
 
 from kinetruss.errors import Fault, shown
 from kinetruss.model.links import Piece
@@ -35,8 +36,17 @@ def _limit(value: Any) -> str | float:
     return f"span/{found[1]}"
 
 
-def _several(value: Any) -> Any:
-    return (value,) if isinstance(value, str) else value
+class _OneOrSeveral:
+    """Annotation of a list of names: one may stand alone."""
+
+    def __get_pydantic_core_schema__(self, source: Any, handler: GetCoreSchemaHandler) -> core_schema.CoreSchema:
+        return core_schema.no_info_before_validator_function(
+            lambda value: (value,) if isinstance(value, str) else value, handler(source)
+        )
+
+    def __get_pydantic_json_schema__(self, schema: Any, handler: Any) -> dict[str, Any]:
+        several = handler(schema)
+        return {"anyOf": [several["items"], several]}
 
 
 def _spans(model: Any) -> Iterator[str]:
@@ -54,7 +64,7 @@ _SCHEMA = {
 }
 SpanOrLength = Annotated[str | float, PlainValidator(_limit), WithJsonSchema(_SCHEMA)]
 SpanMember = Annotated[Name, Ref("member", "bars", "active", "beams", "links", known=_spans)]
-SpanMembers = Annotated[tuple[SpanMember, ...], Field(min_length=1), BeforeValidator(_several)]
+SpanMembers = Annotated[tuple[SpanMember, ...], Field(min_length=1), _OneOrSeveral()]
 
 
 class DeflectionLimit(Record):

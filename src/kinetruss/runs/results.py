@@ -115,12 +115,15 @@ class RunResult:
             partial=self.partial,
             doubts=self.doubts,
             timed=self.timed,
-            quantities=self._posed([*limit_rows(self.model, self.quantities), *self._deflections]),
+            quantities=self._posed([*limit_rows(self.model, self.quantities), *self.deflections]),
         )
 
     @cached_property
-    def _deflections(self) -> tuple[Row, ...]:
-        """The checks of deflections; of drives that tasks move they are not known."""
+    def deflections(self) -> tuple[Row, ...]:
+        """The checks of the deflections to which the model gives limits, as of `strength.deflections`, in every load case; not
+        checked where they are not known, as along motions.
+        """
+        # of drives that tasks move the positions are not those of loads alone
         return tuple(deflection_rows(self, moved=bool(self.origin.runs[self.name].tasks)))
 
     def _posed(self, rows: Iterable[Row]) -> list[Row]:
