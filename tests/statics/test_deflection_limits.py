@@ -92,6 +92,7 @@ def test_the_chord_of_a_truss_and_a_link_through_three_pins():
         deflections={"chord": kt.DeflectionLimit(("l", "r"), "span/500")},
     )  # fmt: skip
     (row,) = kt.run(truss).finding.quantities
+    assert row.note == "bars count by their nodes, between which they stay straight"
     assert row.value == pytest.approx(-kt.statics.linear(truss).displacement.sel(node="M", axis="y").item(), rel=1e-12)
     link = girder(2, beams={}, links={"boom": ("N0", "N1", "N2")}, deflections={"boom": kt.DeflectionLimit("boom", "20 mm")},
                   loads={"q": kt.MemberLoad(member="boom", force=(0, -Q))})  # fmt: skip
@@ -131,6 +132,8 @@ def test_a_stored_run_says_the_same(tmp_path):
     read = kt.runs.load(tmp_path / "run")
     assert read.finding.quantities[0].value == made.finding.quantities[0].value
     assert read.finding.quantities[0].text == made.finding.quantities[0].text
+    (line,) = (one.split() for one in kt.report.summary(read).text.splitlines() if one.startswith("of girder"))
+    assert line == ["of", "girder", "16.88", "mm", "span/300", "20", "mm", "84.37", "%", line[9], "3", "m", "kept"]
 
 
 def test_not_known_is_not_checked_with_the_reason():

@@ -50,7 +50,7 @@ def deflections(rows: Rows) -> Table:
         words("in", "member"),
         measured("from the first end", "position", "m"),
         words("status", lambda row: {"exceeded": "beyond"}.get(row["status"], row["status"])),
-        words("why", lambda row: row["note"].removeprefix(NOT_CHECKED)),
+        words("note", lambda row: row["note"].removeprefix(NOT_CHECKED)),
         case_column(),
     ]
     return Table(columns, rows, "Deflections", most=MOST)

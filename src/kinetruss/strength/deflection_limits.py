@@ -28,6 +28,7 @@ if TYPE_CHECKING:
 
     Array = NDArray[np.float64]
 
+BARS = "bars count by their nodes, between which they stay straight"
 KINDS = ("linear", "equilibrium")
 """Kinds of results of which deflections are known."""
 
@@ -162,6 +163,7 @@ def _checked(
         station=at / span,
         position=at,
         load_case=case,
+        note="" if all(member in model.bending for member in one.members) else BARS,
     )
 
 
