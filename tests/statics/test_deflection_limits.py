@@ -4,6 +4,7 @@ import numpy as np
 import pytest
 
 import kinetruss as kt
+from kinetruss.runs.quantity_limits import unchecked_rows
 
 E, I, A, L, Q = 200e9, 2e-5, 4e-3, 6.0, 4e3
 SECTION = kt.General(area=A, I2=1e-5, I3=I, c2=0.1, c3=0.1, J=1e-5)
@@ -149,6 +150,8 @@ def test_not_known_is_not_checked_with_the_reason():
     assert [row.status for row in run.finding.quantities] == ["not checked"]
     assert "deflection of c not checked: deflections are known of a structure at rest" in run.finding.sentence
     assert run.finding.state == "open"
+    (row,) = unchecked_rows(moving, "a mission has no histories")
+    assert (row.part, row.status, row.note) == ("deflection of c", "not checked", "not checked: a mission has no histories")
     with pytest.raises(kt.InputError, match="has no deflections"):
         kt.strength.deflections(moving, run.motion)
 
