@@ -80,6 +80,7 @@ if TYPE_CHECKING:
         Coupling as Coupling,
         Cyclic as Cyclic,
         Cylinder as Cylinder,
+        DeflectionLimit as DeflectionLimit,
         DistanceCoordinate as DistanceCoordinate,
         Docking as Docking,
         DriveLoad as DriveLoad,

@@ -49,6 +49,7 @@ ADDED = {
     "trajectories": {"trajectories": {"turn": TURN}},
     "runs": {"runs": {"turn": kt.Run(trajectory=TURN)}},
     "quantities": {"quantities": {"q": "angle(crank)"}},
+    "deflections": {"deflections": {"d": kt.DeflectionLimit("crank", "1 mm", measured_from="start")}},
     "safety": {"safety": {"yielding": 1.5}},
     "report": {"report": {"project": "p"}},
     "bearings": {"bearings": {"p": kt.Bearing(node="C", member="coupler", radius=0.01, friction=0.1)}},

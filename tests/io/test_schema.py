@@ -71,6 +71,7 @@ def test_examples(name):
         {"runs": {"r": {"trajectory": "t", "samples": "1e3"}}},
         {"links": {"l": ["A", "B", "A"]}},
         {"quantities": {"q": "length(l)"}},
+        {"deflections": {"d": {"members": "b", "limit": "span/300"}, "e": {"members": ["b", "c"], "limit": 0.02}}},
         {"supports": {"A": {"x": "held", "y": "2 kN/mm", "rotation": {"stiffness": 3, "gap": [0, None]}}}},
         {"combinations": {"lifting": {"G": 1.35, "west": 1.5}}},
         {"combinations": {"kind": "en1990"}},

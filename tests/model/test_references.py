@@ -114,6 +114,7 @@ PLANE = STOCK | {
     "gauges": {"strain": {"member": "rocker"}},
     "gauge_zero": {"at": {"motor": 0.1}, "load_case": "lift"},
     "quantities": {"rise": {"value": "Cat.y", "limits": [None, 9], "load_cases": ["lift"]}},
+    "deflections": {"bow": {"members": ["rocker"], "limit": 9, "measured_from": "start", "load_cases": ["lift"]}},
 }  # fmt: skip
 
 WEIGHTS = {"weights": {"jack": 2}, "hold": ["left"], "rate": {"jack": 1}, "acceleration": {"jack": 1}, "force": {"jack": 9}}

@@ -13,6 +13,7 @@ if TYPE_CHECKING:
     from kinetruss.model.continua import Membrane as Membrane, Orthotropic as Orthotropic, Solid as Solid
     from kinetruss.model.cylinder import Cylinder as Cylinder
     from kinetruss.model.data import FORMAT as FORMAT, Safety as Safety, TitleBlock as TitleBlock
+    from kinetruss.model.deflection_limits import DeflectionLimit as DeflectionLimit
     from kinetruss.model.description import contents as contents, field_texts as field_texts
     from kinetruss.model.drives import (
         AngleDrive as AngleDrive,

@@ -19,6 +19,7 @@ from kinetruss.model.coordinate_checks import (
     joint_faults,
     measured_faults,
 )
+from kinetruss.model.deflection_limits import deflection_faults
 from kinetruss.model.drives import AngleDrive, CoordinateDrive, HingeDrive, LengthDrive, coordinate_kinds
 from kinetruss.model.gauges import gauge_faults
 from kinetruss.model.hub_expansion import bearing_faults
@@ -73,6 +74,7 @@ def faults_of(model: WholeModel) -> list[Fault]:
         *all_condition_faults(model),
         *_gauges(model),
         *quantity_faults(model),
+        *deflection_faults(model),
         *continuum_faults(model, dim),
         *support_faults(model, dim),
     ]

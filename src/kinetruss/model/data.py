@@ -12,6 +12,7 @@ from kinetruss.model.beams import Beam
 from kinetruss.model.bodies import Body
 from kinetruss.model.continua import Membrane, Solid
 from kinetruss.model.cylinder import Cylinder
+from kinetruss.model.deflection_limits import DeflectionLimit
 from kinetruss.model.drives import (
     AngleDrive,
     Coupling,
@@ -191,6 +192,8 @@ class ModelData(Record):
     """Analyses by name: what `kinetruss run` does."""
     quantities: Table[Name, Quantity] = ReadOnly()
     """What to measure of a motion: angles, distances, ratios of rates, as expressions, with limits."""
+    deflections: Table[Name, DeflectionLimit] = ReadOnly()
+    """Limits of deflections of members, alone or in a row, as a share of the span or a length: e.g. span/300."""
     gauges: Table[Name, Gauge] = ReadOnly()
     """Strain gauges on members."""
     gauge_zero: GaugeZero | None = None

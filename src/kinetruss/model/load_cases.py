@@ -187,6 +187,13 @@ def acting_cases(model: ModelData, names: Iterable[str] | None) -> tuple[str | N
     return tuple(dict.fromkeys(case for name in chosen for case in sets.get(name, (name,)))) or (None,)
 
 
+def applies_in(model: ModelData, names: Iterable[str] | None, case: str) -> bool:
+    """Whether limits that name load cases, or a standard for its combinations, apply in one: always if they name none, or if
+    that is no load case of the model.
+    """
+    return names is None or case not in model.cases or case in acting_cases(model, names)
+
+
 def _combined(model: ModelData, name: str, one: Combination | En1990 | Asce7) -> dict[str, tuple[dict[str, float], str]]:
     """Name of a combination -> its factors and title."""
     if isinstance(one, Combination):

@@ -8,6 +8,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import asdict
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
@@ -337,6 +338,12 @@ def quantity_rows(run: RunResult) -> list[dict[str, Any]]:
             }
         )
     return found
+
+
+def deflection_records(run: RunResult) -> list[dict[str, Any]]:
+    """The checks of deflections, worst first, as plain data."""
+    rows = largest_first(run.deflections, lambda row: row.utilisation if row.checked else -math.inf)
+    return [{**asdict(row), "status": row.status} for row in rows]
 
 
 def _extreme(name: str, time: Array, values: Array, rank: Array) -> dict[str, float]:

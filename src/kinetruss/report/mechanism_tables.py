@@ -8,6 +8,7 @@ from typing import Any
 from kinetruss.display import Table, instant, quantity
 from kinetruss.display.tables import MOST, Column, measured, mixed, seconds, together, words
 from kinetruss.report.tables import case_column
+from kinetruss.results.wide_tables import NOT_CHECKED
 
 Record = dict[str, Any]
 Rows = Sequence[Record]
@@ -36,6 +37,23 @@ def quantities(rows: Rows, *, timed: bool = True) -> Table:
     ]
     caption = "Quantities of the model" + (f", extremes of the {'poses' if poses else 'samples'}" if moving else "")
     return Table(columns, rows, caption, most=MOST)
+
+
+def deflections(rows: Rows) -> Table:
+    """The deflections to which the model gives limits."""
+    columns = [
+        words("deflection", lambda row: str(row["part"]).removeprefix("deflection ")),
+        measured("largest", "value", "m"),
+        words("limit", lambda row: "" if row["rule"] == "limit" else row["rule"]),
+        measured("allowed", "limit", "m"),
+        measured("utilisation", unit="%"),
+        words("in", "member"),
+        measured("from the first end", "position", "m"),
+        words("status", lambda row: {"exceeded": "beyond"}.get(row["status"], row["status"])),
+        words("note", lambda row: row["note"].removeprefix(NOT_CHECKED)),
+        case_column(),
+    ]
+    return Table(columns, rows, "Deflections", most=MOST)
 
 
 def _limits(row: Record) -> str:

@@ -12,7 +12,7 @@ from kinetruss.model.data import ELEMENT_FIELDS
 from kinetruss.report import mechanism_tables, tables
 from kinetruss.report.contents import counted_parts, counts
 from kinetruss.report.drive_data import drive_loads, element_loads, exceeded, motors, trains
-from kinetruss.report.mechanism_data import quantity_rows
+from kinetruss.report.mechanism_data import deflection_records, quantity_rows
 from kinetruss.report.mission_tables import mission_entries, mission_record
 from kinetruss.report.page import Page
 from kinetruss.report.run_data import WORST, checks, closure, largest_forces, plain, worst
@@ -68,6 +68,7 @@ def known(run: RunResult) -> dict[str, Any]:
         "drive_loads": drive_loads(run, engines),
         **{f"{kind}_loads": element_loads(run, kind) for kind in ELEMENT_FIELDS},
         "quantities": quantity_rows(run),
+        "deflections": deflection_records(run),
         "motors": engines,
         "trains": trains(run),
         "exceeded": exceeded(run),
@@ -89,6 +90,7 @@ def entries(run: RunResult) -> Iterator[Entry]:
     yield tables.strength(worst(run), "\n".join(_beyond(run)), timed=timed)
     yield tables.not_checked(() if run.verdict is None else run.verdict.not_checked().items())
     yield mechanism_tables.quantities(quantity_rows(run), timed=timed)
+    yield mechanism_tables.deflections(deflection_records(run))
     yield tables.drives(drive_loads(run, engines), timed=timed)
     for kind in ELEMENT_FIELDS:
         yield tables.elements(kind, element_loads(run, kind))

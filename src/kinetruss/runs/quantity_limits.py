@@ -1,4 +1,4 @@
-"""The quantities of a run by load case, and whether the limits that a model gives them are kept."""
+"""The quantities of a run by load case, and whether the limits that a model gives them and deflections are kept."""
 
 from __future__ import annotations
 
@@ -11,9 +11,10 @@ import numpy as np
 from kinetruss.errors import shown
 from kinetruss.kinematics.quantity_histories import quantities
 from kinetruss.model import Model, ReadOnly, nearest
-from kinetruss.model.load_cases import acting_cases
+from kinetruss.model.load_cases import applies_in
 from kinetruss.model.quantities import needs_forces
 from kinetruss.results.wide_tables import NOT_CHECKED, Row
+from kinetruss.strength.deflection_limits import KINDS, deflections, unchecked_row
 
 if TYPE_CHECKING:
     import xarray as xr
@@ -24,6 +25,9 @@ if TYPE_CHECKING:
 
 ONE_MOTION = "one_motion"
 """Attribute of the quantities of load cases that have the same motion."""
+
+
+UNKNOWN = "deflections are known of a structure at rest in its place, by statics.linear or statics.equilibrium"
 
 
 class Ran(Protocol):
@@ -90,8 +94,7 @@ def entries(model: Model, found: Mapping[str, xr.Dataset]) -> Iterator[tuple[str
 def limits_of(model: Model, name: str, case: str) -> tuple[float | None, float | None] | None:
     """The limits of a quantity in a load case, or None if there are none."""
     one = model.quantities[name]
-    asked = one.load_cases is None or case not in model.cases or case in acting_cases(model, one.load_cases)
-    return one.limits if asked else None
+    return one.limits if applies_in(model, one.load_cases, case) else None
 
 
 def limit_rows(model: Model, found: Mapping[str, xr.Dataset]) -> Iterator[Row]:
@@ -118,11 +121,28 @@ def limit_rows(model: Model, found: Mapping[str, xr.Dataset]) -> Iterator[Row]:
 
 
 def unchecked_rows(model: Model, why: str) -> Iterator[Row]:
-    """A row, not checked, for each quantity that has limits, where there are no values to check."""
+    """A row, not checked, for each quantity and deflection that has limits, where there are no values to check."""
     for name, one in model.quantities.items():
         if one.limits is not None:
             none: dict[str, Any] = dict.fromkeys(("value", "limit", "utilisation", "margin", "time"), math.nan)
             yield Row(part=name, member=name, rule="limit", unit="", note=f"{NOT_CHECKED}{why}", **none)
+    for name, limit in model.deflections.items():
+        yield unchecked_row(name, limit, why)
+
+
+def deflection_rows(run: Ran, *, moved: bool) -> Iterator[Row]:
+    """A row for each deflection that has a limit, and load case in which this applies; not checked where it is not known.
+
+    moved : whether drives move the structure from the place of the model.
+    """
+    known = {case: one for case, one in run.statics.items() if one.attrs.get("kind") in KINDS and not moved}
+    rows = [row for one in known.values() for row in deflections(run.model, one)] if run.model.deflections else []
+    yield from rows
+    why = "none of its load cases is in this run" if known else UNKNOWN
+    checked = {row.part for row in rows}
+    for name, one in run.model.deflections.items():
+        if (lacking := unchecked_row(name, one, why)).part not in checked:
+            yield lacking
 
 
 def _row(

@@ -27,7 +27,7 @@ from kinetruss.results.user_parts import marked
 from kinetruss.runs.doubts import doubts, poses_of
 from kinetruss.runs.instants import derived
 from kinetruss.runs.plans import conditioned
-from kinetruss.runs.quantity_limits import limit_rows, quantities_of
+from kinetruss.runs.quantity_limits import deflection_rows, limit_rows, quantities_of
 from kinetruss.strength.findings import Finding, demands, find
 
 if TYPE_CHECKING:
@@ -115,8 +115,16 @@ class RunResult:
             partial=self.partial,
             doubts=self.doubts,
             timed=self.timed,
-            quantities=self._posed(limit_rows(self.model, self.quantities)),
+            quantities=self._posed([*limit_rows(self.model, self.quantities), *self.deflections]),
         )
+
+    @cached_property
+    def deflections(self) -> tuple[Row, ...]:
+        """The checks of the deflections to which the model gives limits, as of `strength.deflections`, in every load case; not
+        checked where they are not known, as along motions.
+        """
+        # of drives that tasks move the positions are not those of loads alone
+        return tuple(deflection_rows(self, moved=bool(self.origin.runs[self.name].tasks)))
 
     def _posed(self, rows: Iterable[Row]) -> list[Row]:
         """The rows; of a run of poses, whose times are their numbers, with the pose in which each value is."""

@@ -15,6 +15,7 @@ if TYPE_CHECKING:
         johnson_load as johnson_load,
         transition as transition,
     )
+    from kinetruss.strength.deflection_limits import deflections as deflections
     from kinetruss.strength.element_stresses import elements as elements
     from kinetruss.strength.findings import Finding as Finding, find as find
     from kinetruss.strength.gauge_records import (

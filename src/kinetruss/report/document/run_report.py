@@ -194,7 +194,11 @@ def run_parts(run: RunResult, record: dict[str, Any], sheets: list[Sheet], view:
             "quantities",
             "Quantities of the model",
             "What the model defines to be measured, with limits",
-            [mechanism_tables.quantities(record["quantities"], timed=timed), *drawn.of("quantities")],
+            [
+                mechanism_tables.quantities(record["quantities"], timed=timed),
+                mechanism_tables.deflections(record["deflections"]),
+                *drawn.of("quantities"),
+            ],
         ),
         Section(
             "motion",
