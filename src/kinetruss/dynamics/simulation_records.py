@@ -217,10 +217,8 @@ def _books(problem: Problem, trace: Trace) -> tuple[NDArray[np.float64], str]:
         return books, ""
     if unknown := scalars.not_known(system):
         books[:, 2:] = np.nan
-        return (
-            books,
-            f"; not known: the scalar {few([repr(name) for name in unknown], 1)} has a mass, and nothing says what it moves along or about",
-        )
+        named = few([repr(name) for name in unknown], 1)
+        return books, f"; not known: the scalar {named} has a mass, and nothing says what it moves along or about"
     placed, without = trace.v.copy(), np.empty_like(books)
     placed[:, 3 * scalars.all] = 0.0
     balance(problem.eq, problem.ws, trace.x, placed, without)

@@ -90,13 +90,13 @@ def inertia_and_momenta(system: System, x: Array, v: Array) -> tuple[Array, Arra
 @cached()
 def floats(system: System) -> System | None:
     """A floating system as it stands in a frame of its own: coordinates of some of its nodes are held, which no rigid motion
-    leaves as they are. None unless nothing holds the structure, and nothing in it is prescribed against the ground; and with
-    scalars, which are no places that a rigid motion moves.
+    leaves as they are. None unless nothing holds the structure, and nothing in it is prescribed against the ground,
+    as the idle axes of scalars are.
 
     The nodes are those of one rigid part where there is one, so that the frame is as good in all positions of the structure.
     """
     prescribed = system.prescribed.reshape(-1, 3)[:, : system.dim]
-    if prescribed.any() or len(system.coordinate_drive) or not len(system.x0) or len(scalars_of(system).all):
+    if prescribed.any() or len(system.coordinate_drive) or not len(system.x0):
         return None
     from scipy.linalg import qr
 
