@@ -367,7 +367,7 @@ def _parse_text(text: str, quantity: str) -> float:
         raise UnitError(f"{text!r} is not {_a(quantity)}: {error}{mend}") from None
     if dimension not in (known := QUANTITIES[quantity].dimensions) and quantity != "measure":
         if quantity == "factor":
-            written = f"Write the number that it is in SI units ({text_of(*dimension)}): {number * factor:g}."
+            written = f"Write it in SI units ({text_of(*dimension)}), as a bare number: '{number * factor:.12g}'."
             raise UnitError(f"{text!r} is not {_a(_named(quantity))}. {written}")
         raise UnitError(f"{text!r} is not {_a(_named(quantity))}. {_hint(unit, quantity)}")
     number = _bounded(number * factor, quantity, text)
