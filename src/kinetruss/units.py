@@ -226,6 +226,7 @@ QUANTITIES: dict[str, Quantity] = {
     "back-emf constant": _quantity("V s/rad", "V s"),
     "lead": _quantity("m/rad"),
     "number": Quantity("", ((0, 0, 0, 0, 0),)),
+    "factor": Quantity("", ((0, 0, 0, 0, 0),)),
     "strain": _quantity("strain"),
     "coordinate": _quantity("m", "rad"),
     "rate": _quantity("m/s", "rad/s"),
@@ -365,6 +366,9 @@ def _parse_text(text: str, quantity: str) -> float:
         mend = "" if "Write" in str(error) else f" {_example(quantity)}"
         raise UnitError(f"{text!r} is not {_a(quantity)}: {error}{mend}") from None
     if dimension not in (known := QUANTITIES[quantity].dimensions) and quantity != "measure":
+        if quantity == "factor":
+            written = f"Write it in SI units ({text_of(*dimension)}), as a bare number: '{number * factor:.12g}'."
+            raise UnitError(f"{text!r} is not {_a(_named(quantity))}. {written}")
         raise UnitError(f"{text!r} is not {_a(_named(quantity))}. {_hint(unit, quantity)}")
     number = _bounded(number * factor, quantity, text)
     if quantity not in EITHER:

@@ -45,6 +45,18 @@ def test_heat_stretches_a_determinate_truss_in_shape_and_strains_no_bar():
     assert np.abs(moved.member_force.values).max() < 1e-9
 
 
+def test_a_warm_truss_weighs_what_the_cold_one_does():
+    """Density times area times the cold lengths; a given mass."""
+    bars = TRUSS | {"bd": kt.Bar(ends=("B", "D"), mass=3.0)}
+    model, forces = truss(bars=bars, loads={}, load_cases={}), {}
+    for name, one in {"cold": model, "hot": kt.under(model, kt.Condition(temperature=200.0))}.items():
+        forces[name] = sum(at_rest(one).reaction.values[0])
+    area, lengths = np.pi / 4 * (0.03**2 - 0.026**2), [2, np.hypot(1, 1.5), np.hypot(1, 1.5), 2]
+    weight = 9.81 * (STEEL.density * area * sum(lengths) + 3.0)
+    for found in forces.values():
+        assert found[1] == pytest.approx(weight, rel=1e-12)
+
+
 def test_heat_in_one_bar_moves_the_nodes_by_its_lengthening():
     warm = kt.under(truss(), kt.Condition(temperatures={"ab": 100.0}))
     assert warm.nodes["B"].at[0] == pytest.approx(2 * (1 + ALPHA * 100), rel=1e-12)

@@ -349,3 +349,21 @@ def test_refusals():
         free.frequency_response(5.0)
     with pytest.raises(InputError, match="No output called 'C.x'"):
         free.frequency_response(1.0, of="C.x")
+
+
+def test_frequencies_about_no_equilibrium_say_so():
+    """A pendulum at rest has g/l; drawn aside it is not at rest, which the frequency itself says, and the message."""
+
+    def named(at):
+        rod = kt.Model(
+            nodes={"A": (0, 0), "B": kt.Node(at=at, mass=1.0)}, fixed=["A"], bars={"b": ("A", "B")}, gravity=(0, -9.81)
+        )
+        found = kt.dynamics.linearise(rod, dofs="B.x")
+        return found, "no equilibrium" in found.message, "no equilibrium" in found.frequency.attrs["long_name"]
+
+    still, *said = named((0, -2.0))
+    assert said == [False, False]
+    assert still.angular_frequency.item() ** 2 == pytest.approx(9.81 / 2, rel=1e-12)
+    aside, *said = named((0.6, -1.9))
+    assert said == [True, True]
+    assert "no equilibrium" in repr(aside)

@@ -111,3 +111,44 @@ def test_a_frame_of_rigid_beams_counts_as_one_rotation():
     )  # fmt: skip
     found = kt.kinematics.mobility(door)
     assert (found.coordinates, found.fixed, found.rank, found.degrees_of_freedom) == (9, 3, 5, 1)
+
+
+def test_what_stands_for_a_rigid_link_is_no_bar_of_the_user():
+    """A crank and a rocker without sections, which are rigid, and a bar between them: one bar of the user."""
+    four = {"O": (0, 0), "A": (0.5, 1), "B": (2, 1.5), "P": (2.4, 2), "C": (2, 0)}
+    found = kt.kinematics.mobility(kt.Model(
+        nodes=four, fixed=["O", "C"], bars={"ab": ("A", "B")}, links={"crank": ["O", "A"], "rocker": ["C", "B", "P"]},
+    ))  # fmt: skip
+    assert str(found).startswith("1 rigid bar, 2 links (rigid, as ")
+    assert found.degrees_of_freedom == 1
+    assert found.bars - found.link_bars == 1
+    assert found.maxwell == found.coordinates - found.fixed - found.bars == found.undriven - found.self_stress
+
+
+def test_links_in_a_dead_position_are_not_told_to_become_a_link():
+    """O, M and C on one line: M moves across it to first order, and the links are straight already; of bars it may be one."""
+    straight = {"nodes": {"O": (0, 0), "M": (1, 0), "C": (2, 0)}, "fixed": ["O", "C"]}
+    pairs = {"a": ("O", "M"), "b": ("M", "C")}
+    links, bars = (kt.Model(**straight, **{key: pairs}) for key in ("links", "bars"))
+    said = [kt.kinematics.mobility(one).mechanism_texts()[0] for one in (links, bars)]
+    assert all("M moves along y" in one and "stiff to second order only" in one for one in said)
+    assert "draw it beside that position" in said[0] and "is a link" not in said[0]
+    assert "a member with a pin in its middle is a link" in said[1]
+
+
+@pytest.mark.parametrize("dim", [2, 3])
+def test_a_body_without_braces_takes_none_from_links(dim):
+    """A free link through three nodes has 3 (in space 6) freedoms, whether a body without braces holds masses on it or not."""
+    nodes = {name: (x, 0.0, 0.0)[:dim] for name, x in zip("ABC", (0, 1, 2), strict=True)}
+    body = {"load": kt.Body(nodes=("A", "B"), carriers=("A", "B"), mass=1.0, brace=False)}
+    free = [kt.kinematics.mobility(kt.Model(nodes=nodes, links={"l": list("ABC")}, bodies=one)).undriven for one in ({}, body)]
+    assert free[0] == free[1]
+    assert dim == 3 or free[0] == 3
+
+
+def test_a_body_without_braces_needs_none_where_bars_hold_it():
+    nodes = {"A": (0, 0), "B": (1, 0), "C": (0, 1), "D": (1, 1)}
+    bars = {"ab": ("A", "B"), "bc": ("B", "C"), "ca": ("C", "A")}
+    own, other = kt.Body(nodes=("A", "B", "C"), mass=1.0, brace=False), kt.Body(nodes=("B", "C", "D"), mass=1.0)
+    found = kt.kinematics.mobility(kt.Model(nodes=nodes, bars=bars, bodies={"own": own, "other": other}))
+    assert (found.undriven, found.self_stress, found.bars) == (3, 0, 5)

@@ -301,6 +301,36 @@ def test_the_inertia_of_a_rotation_has_no_weight():
     assert start == pytest.approx(-mass * g * length / (mass * length**2 + inertia), rel=1e-12)
 
 
+def spun(**more):
+    """A free rigid beam between two masses that turns at 1.5 rad/s about its middle, with a rotation that has inertia."""
+    nodes = {"A": kt.Node(at=(0.2, 0.5), mass=2), "B": kt.Node(at=(1.2, 0.5), mass=2)}
+    nodes |= {"b": kt.Node(at=(0, 0.7), scalar=True, mass=0.3)} | more.pop("nodes", {})
+    beam, start = kt.Beam(ends=("A", "B"), kind="rigid", rotation="b"), {"A": (1, -0.75), "B": (1, 0.75), "b": (1.5, 0)}
+    return kt.Model(nodes=nodes, beams={"r": beam}, velocities=start | more.pop("velocities", {}), gravity=(0, 0), **more)
+
+
+def test_the_inertia_of_a_rotation_is_no_mass_along_x():
+    """p = 2 m v, and L about the origin = 2 m (l/2)^2 w + I w - y 2 m v; both stay."""
+    data = kt.dynamics.simulate(spun(), 1.0, samples=3).data
+    assert np.abs(data["momentum"].values - (4.0, 0.0)).max() < 1e-12
+    assert np.abs(data["angular_momentum"].values - (2 * 2 * 0.25 * 1.5 + 0.3 * 1.5 - 0.5 * 4.0)).max() < 1e-11
+    assert np.abs(data["kinetic_energy"].values - (0.5 * 4 * 1 + 0.5 * (2 * 2 * 0.25 + 0.3) * 1.5**2)).max() < 1e-11
+
+
+def test_momenta_with_a_scalar_that_may_be_anything_are_not_known():
+    """A rotor geared to the rotation: nothing says about what it turns. Without a mass it has no momentum."""
+    for mass in (0.1, 0.0):
+        rotor, pair = (
+            kt.Node(at=(0, 0), scalar=True, mass=mass),
+            [(kt.CoordinateDrive(node="g", axis="x"), 1), (kt.CoordinateDrive(node="b", axis="x"), 3)],
+        )
+        geared = spun(nodes={"g": rotor}, velocities={"g": (-4.5, 0)}, couplings={"gear": kt.Coupling(terms=pair)})
+        data = kt.dynamics.simulate(geared, 0.1, samples=2).data
+        unknown = [bool(np.isnan(data[name]).all()) for name in ("momentum", "angular_momentum")]
+        assert unknown == [mass > 0] * 2 and ("'g'" in data["momentum"].attrs["long_name"]) == (mass > 0)
+        assert np.abs(data["kinetic_energy"].values - (2 + 0.5 * 1.3 * 1.5**2 + 0.5 * mass * 4.5**2)).max() < 1e-11
+
+
 def test_fault_of_a_bar_to_a_scalar():
     with pytest.raises(kt.ModelError, match="joins a scalar"):
         kt.Model(nodes={"A": (0, 0), "s": kt.Node(at=(1, 0), scalar=True)}, bars={"b": ("A", "s")})

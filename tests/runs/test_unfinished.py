@@ -138,3 +138,36 @@ def test_whole_turns_between_samples_survive_an_interrupt(tmp_path):
     assert (np.diff(times) > 0).all()
     for name in ("between_time", "between_position", "between_velocity"):
         np.testing.assert_array_equal(found.motion.whole[name], asked.motion.whole[name])
+
+
+def test_a_motion_that_was_interrupted_has_what_lies_between_its_samples(tmp_path):
+    """A crank turns 20 times within 5 intervals: its turns are counted from the states between them, also before the end."""
+
+    def stop(done: int, total: int) -> None:
+        if done == 4:
+            raise KeyboardInterrupt
+
+    turn = kt.Quintic(moves={"turn": (0.0, 40 * np.pi)}, duration=1.0)
+    crank = kt.Model(
+        nodes={"O": (0, 0), "A": (1, 0)}, fixed=["O"], bars={"crank": kt.Bar(ends=("O", "A"))},
+        drives={"turn": kt.AngleDrive(bar="crank")},
+        runs={"r": kt.Run(analysis="kinematics.follow", trajectory=turn, samples=6)},
+    )  # fmt: skip
+    run(crank, out=tmp_path / "whole", block=2)
+    with pytest.raises(KeyboardInterrupt):
+        run(crank, out=tmp_path / "half", block=2, progress=stop)
+    half, every = load(tmp_path / "half"), load(tmp_path / "whole").motion.data
+    passed = every["between_time"].values < every["time"].values[3]
+    assert half.good == 4
+    assert passed.sum() > 100
+    for name in ("between_time", "between_position", "between_velocity"):
+        np.testing.assert_array_equal(half.motion.data[name].values, every[name].values[passed])
+    x = np.concatenate([half.motion.data["position"].values[:3, 1], half.motion.data["between_position"].values[:, 1]])
+    x = x[np.argsort(np.concatenate([half.motion.data["time"].values[:3], half.motion.data["between_time"].values]))]
+    x = np.concatenate([x, half.motion.data["position"].values[3:, 1]])
+    counted = np.unwrap(np.arctan2(x[:, 1], x[:, 0]))[-1]
+    assert abs(counted - 40 * np.pi * (10 * 0.6**3 - 15 * 0.6**4 + 6 * 0.6**5)) < 1e-9
+    resume(tmp_path / "half")
+    again = load(tmp_path / "half").motion.data
+    for name, values in every.data_vars.items():
+        np.testing.assert_array_equal(again[name].values, values.values)

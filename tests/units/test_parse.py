@@ -91,6 +91,12 @@ BAD = [
     ("5 lb/in^2", "stress", "'5 lb/in^2' is not a stress (Pa). Write lbf/in^2 for a stress: lb is a mass."),
     ("0.1 lbf/in^3", "density", "'0.1 lbf/in^3' is not a density (kg/m^3). Write lb/in^3 for a density: lbf is a force."),
     ("5 kg", "area", f"'5 kg' is not an area (m^2). {si('m^2')}"),
+    ("300 mm", "factor", "'300 mm' is not a factor without unit. Write it in SI units (m), as a bare number: '0.3'."),
+    (
+        "5 mm/rev",
+        "factor",
+        "'5 mm/rev' is not a factor without unit. Write it in SI units (m/rad), as a bare number: '0.000795774715459'.",
+    ),
     ("5 m", "number", "'5 m' is not a number without unit. Write a bare number, e.g. 1.5."),
     ("10 deg", "length", f"'10 deg' is not a length (m). {si('m')}"),
     ("10 kg", "coordinate", f"'10 kg' is not a coordinate (m, or rad). {si('m')}"),

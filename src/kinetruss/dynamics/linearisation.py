@@ -274,7 +274,7 @@ def _dataset(at: Basis, state: State, found: Reduced, signals: list[Input], want
         "member_force": variable(("member",), found.tension, "N", "mean axial force in the state, tension positive"),
         "drive_force": variable(("drive",), drive_forces(state), force["drive"], "drive force or torque in the state"),
         "position": variable(("node", "axis"), state.x[:, : system.dim], "m", "node position in the state"),
-        **_modes(M, damping, K, found.X[0][:, :k], system),
+        **_modes(M, damping, K, found.X[0][:, :k], system, state.still),
         **_poles(A, k),
     }
     units = [one.unit for one in at.dofs]
@@ -297,9 +297,9 @@ def _dataset(at: Basis, state: State, found: Reduced, signals: list[Input], want
 
 
 def _modes(
-    M: NDArray[np.float64], C: NDArray[np.float64], K: NDArray[np.float64], T: NDArray[np.float64], system: System
+    M: NDArray[np.float64], C: NDArray[np.float64], K: NDArray[np.float64], T: NDArray[np.float64], system: System, still: bool
 ) -> dict[str, Column]:
-    """Undamped modes of K - w^2 M, slowest first."""
+    """Undamped modes of K - w^2 M, slowest first. still : about an equilibrium."""
     from scipy.linalg import eigh
 
     squares, vectors = eigh(0.5 * (K + K.T), 0.5 * (M + M.T))
@@ -310,9 +310,12 @@ def _modes(
     largest = np.abs(shapes).max(axis=(1, 2))
     modal = np.einsum("ik,ij,jk->k", vectors, C, vectors)
     ratio = np.divide(modal, 2 * w, out=np.full_like(w, np.nan), where=w > 0)
+    words = (
+        f"undamped natural frequency{'' if still else ' about a state that is no equilibrium'}; NaN where the mode runs away"
+    )
     return {
-        "angular_frequency": variable(("mode",), w, "rad/s", "undamped natural frequency; NaN where the mode runs away"),
-        "frequency": variable(("mode",), w / (2 * np.pi), "Hz", "undamped natural frequency; NaN where the mode runs away"),
+        "angular_frequency": variable(("mode",), w, "rad/s", words),
+        "frequency": variable(("mode",), w / (2 * np.pi), "Hz", words),
         "frequency_squared": variable(("mode",), squares, "rad^2/s^2", "square of the frequency, negative where unstable"),
         "modal_damping": variable(("mode",), ratio, "", "damping ratio of the mode by itself"),
         "modal_mass": variable(("mode",), largest**-2.0, "kg", "mass that moves with the largest component"),

@@ -13,6 +13,7 @@ from kinetruss.dynamics.least_norm import apply_loads, take_sum_forces
 from kinetruss.dynamics.motors import motor_histories, motor_names
 from kinetruss.dynamics.prescribed import with_bearing_friction
 from kinetruss.dynamics.remarks import energy_remark
+from kinetruss.errors import few
 from kinetruss.kernels.compiled.workspace import allocate
 from kinetruss.kernels.solve.accelerations import couples_along
 from kinetruss.kernels.solve.kkt import balance
@@ -23,6 +24,7 @@ from kinetruss.kinematics.turns import refined
 from kinetruss.mechanics import compile
 from kinetruss.mechanics.loads import Loads, case_loads
 from kinetruss.mechanics.positions import drive_places, drive_values
+from kinetruss.mechanics.rigid_motions import scalars_of
 from kinetruss.results import Arrays, Axes, Forces, Motion, Simulation, provenance, variable
 from kinetruss.results.dynamic_records import happened
 from kinetruss.results.wide_tables import drive_unit, force_units
@@ -181,8 +183,7 @@ def _with_user(problem: Problem, loads: Loads, trace: Trace) -> Loads:
 
 def _histories(work: Integration, trace: Trace) -> dict[str, Any]:
     """Energies, momenta, extra states and diagnostics of the integration."""
-    books = np.empty((len(trace.t), 8))
-    balance(work.problem.eq, work.problem.ws, trace.x, trace.v, books)
+    books, unknown = _books(work.problem, trace)
     kinetic, potential, momentum, spin = books[:, 0], books[:, 1], books[:, 2:5], books[:, 5:]
     time, dim = ("time",), work.problem.system.dim
     found = {
@@ -191,16 +192,39 @@ def _histories(work: Integration, trace: Trace) -> dict[str, Any]:
         "potential_energy": variable(
             time, potential, "J", "potential energy of weight, of elastic bars, springs, membranes and solids"
         ),
-        "momentum": variable((*time, "axis"), momentum[:, :dim], "kg m/s", "linear momentum"),
+        "momentum": variable((*time, "axis"), momentum[:, :dim], "kg m/s", f"linear momentum{unknown}"),
     }
     about = ("time",) if dim == 2 else ("time", "axis")
     turning = spin[:, 2] if dim == 2 else spin
-    found["angular_momentum"] = variable(about, turning, "kg m^2/s", "moment of momentum about the origin")
+    found["angular_momentum"] = variable(about, turning, "kg m^2/s", f"moment of momentum about the origin{unknown}")
     for k, (name, unit, words) in enumerate(work.problem.extra):
         found[name] = variable(time, trace.extra[:, k], unit, words)
     for k, (name, unit, words) in enumerate(DIAGNOSTICS):
         found[name] = variable(time, trace.diagnostics[:, k], unit, words)
     return found
+
+
+def _books(problem: Problem, trace: Trace) -> tuple[NDArray[np.float64], str]:
+    """Energies and momenta (times, 8) as of `balance`, and why the momenta are not known, NaN.
+
+    A scalar is no place, and its mass times its rate no momentum along x: of a rotation it is one about z, of others nobody
+    can say.
+    """
+    system, books = problem.system, np.empty((len(trace.t), 8))
+    balance(problem.eq, problem.ws, trace.x, trace.v, books)
+    scalars = scalars_of(system)
+    if not len(scalars.all):
+        return books, ""
+    if unknown := scalars.not_known(system):
+        books[:, 2:] = np.nan
+        named = few([repr(name) for name in unknown], 1)
+        return books, f"; not known: the scalar {named} has a mass, and nothing says what it moves along or about"
+    placed, without = trace.v.copy(), np.empty_like(books)
+    placed[:, 3 * scalars.all] = 0.0
+    balance(problem.eq, problem.ws, trace.x, placed, without)
+    books[:, 2:] = without[:, 2:]
+    books[:, 7] += trace.v[:, 3 * scalars.rotations] @ system.node_mass[scalars.rotations]
+    return books, ""
 
 
 DIAGNOSTICS = (

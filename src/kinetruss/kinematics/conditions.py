@@ -230,7 +230,7 @@ def _warmed(model: Model, condition: Condition) -> Model:
         )
         raise InputError(f"{without!r} is {what}, which has no thermal strain here. Leave out the temperature{mend}.")
     system = compile(model)
-    length = dict(zip(system.members, system.length0.tolist(), strict=True))
+    length, mass = (dict(zip(system.members, of.tolist(), strict=True)) for of in (system.length0, system.rods[:, 0]))
     bars, stretched, unknown = {}, {}, []
 
     def factor(name: str, bar: Bar) -> float:
@@ -263,7 +263,8 @@ def _warmed(model: Model, condition: Condition) -> Model:
     active = {name: one.with_(length=length[name]) for name, one in model.active.items()}
 
     def keeping(bars: Mapping[str, Bar]) -> Model:
-        return model.with_(bars={name: _of_length(bar, length[name]) for name, bar in bars.items()}, active=active, hubs=hubs)
+        kept = {name: _of_mass(_of_length(bar, length[name]), mass[name]) for name, bar in bars.items()}
+        return model.with_(bars=kept, active=active, hubs=hubs)
 
     place = _closed(model if hubs == model.hubs else keeping(model.bars), stretched)
     nodes = {name: node.with_(at=tuple(at)) for (name, node), at in zip(model.nodes.items(), place.tolist(), strict=False)}
@@ -289,6 +290,11 @@ def _warmed_hubs(system: System, factor: Callable[[str, Bar], float]) -> dict[st
             longer = {one: (by * np.array(hub.arms.get(one, hub.reach), float)).tolist() for one, by in more.items()}
             found[name] = hub.with_(arms={**hub.arms, **longer})
     return found
+
+
+def _of_mass(bar: Bar, mass: float) -> Bar:
+    """A bar that keeps the mass, kg, of its section when it becomes longer."""
+    return bar if bar.mass is not None or bar.body is not None or not mass else bar.with_(mass=mass)
 
 
 def _of_length(bar: Bar, length: float) -> Bar:

@@ -208,8 +208,9 @@ LINES = 40
 class Mobility:
     """Count and rank of a structure at one configuration (Maxwell 1864; Calladine 1978; Pellegrino & Calladine 1986).
 
-    bars : rigid bars. beams : elastic ones, and links : those of the user, which count as rigid here: what only bends them is
-    no freedom. couplings : between coordinates. drives : prescribed coordinates.
+    bars : rigid bars; link_bars : those of them that stand for rigid links. beams : elastic ones, and links : those of the
+    user, which count as rigid here: what only bends them is no freedom. couplings : between coordinates. drives : prescribed
+    coordinates.
     coordinates, fixed : of the user's nodes, with the rotations of beams and hubs. rank : of rigid bars, beams and couplings.
     degrees_of_freedom : freedoms before drives = coordinates - fixed - rank.
     undriven : freedoms left with all drives held. self_stress : number of states with all drives held.
@@ -224,6 +225,7 @@ class Mobility:
     bars: int
     beams: int
     links: int
+    link_bars: int
     couplings: int
     drives: int
     rank: int
@@ -272,8 +274,10 @@ class Mobility:
         return found
 
     def __str__(self) -> str:
-        held = [counted(self.bars, "rigid bar"), *([counted(self.beams, "elastic beam")] if self.beams else [])]
-        held += [counted(self.links, "link")] if self.links else []
+        held = [counted(self.bars - self.link_bars, "rigid bar")]
+        held += [counted(self.beams, "elastic beam")] if self.beams else []
+        inside = f" (rigid, as {counted(self.link_bars, 'bar')})" if self.link_bars else ""
+        held += [f"{counted(self.links, 'link')}{inside}"] if self.links else []
         held += [counted(self.couplings, "coupling")] if self.couplings else []
         lines = [
             f"{', '.join(held)}, {self.coordinates} coordinates, {self.fixed} fixed, "
@@ -292,18 +296,25 @@ class Mobility:
 
     def mechanism_texts(self, most: int | None = None) -> list[str]:
         """Each mechanism in words, the first `most`: which node moves in which direction, largest first."""
-        plane = self.system.dim == 2
-        fix = (
-            "a member with a pin in its middle is a link (links: {boom: [A, M, C]})"
-            if plane
-            else "hold a node off the plane by bars"
-        )
-        advice = line_advice(self.system.model) or f"{fix}, or add a support"
-        soft = f" -- stiff to second order only, loose under the least load: {advice}"
+        softly = self._soft(self.undriven if most is None else most)
         return [
-            moves_text(self.system, mode) + (soft if flat else "")
-            for mode, flat in zip(self.mechanisms[:most], self._soft(self.undriven if most is None else most), strict=True)
+            moves_text(self.system, mode) + (self._loose(mode) if flat else "")
+            for mode, flat in zip(self.mechanisms[:most], softly, strict=True)
         ]
+
+    def _loose(self, mode: NDArray[np.float64]) -> str:
+        """What a mechanism (n_nodes, dim) that is stiff to second order needs."""
+        given = self.system.given
+        on_links = {node for link in given.links.values() for node in link.nodes}
+        moved = np.abs(mode).max(axis=1) > 1e-6
+        moving = [name for name, one in zip(self.node_names, moved, strict=True) if one and name in given.nodes]
+        if self.system.dim == 3:
+            fix = "hold a node off the plane by bars, or add a support"
+        elif on_links.issuperset(moving):
+            fix = "draw it beside that position, or add a support"
+        else:
+            fix = "a member with a pin in its middle is a link (links: {boom: [A, M, C]}), or add a support"
+        return f" -- stiff to second order only, loose under the least load: {line_advice(self.system.model) or fix}"
 
     def self_stress_texts(self, most: int | None = None) -> list[str]:
         """Each state of self-stress in words, the first `most`: which bars are in compression or tension, largest first."""
@@ -373,6 +384,8 @@ def mobility_at(
     rest = inner.nodes.keys() - framed
     added = [name in inner.bars and any(end in rest for end in one.ends) for name, one in system.model.members.items()]
     bars = int((length & np.array(added, np.bool_)[system.row_member]).sum())
+    users = np.array([name not in inner.bars or inner.bars[name].table == "bodies" for name in system.members], np.bool_)
+    own_bars = int((length & users[system.row_member]).sum())
     # a frame that moves by itself is one rotation in the plane, three in space; what else holds at it counts as bars
     free = {
         name
@@ -396,6 +409,7 @@ def mobility_at(
         bars=int(length.sum()) - bars,
         beams=sum(name in system.given.beams for name in set(found.names)),
         links=len(system.given.links),
+        link_bars=max(int(length.sum()) - bars - own_bars, 0) if system.given.links else 0,
         couplings=int((system.row_kind == SUM)[system.row_drive < 0].sum()) - couplings,
         drives=len(system.drives),
         rank=rank - braces,

@@ -7,7 +7,7 @@ T of the nodes by unit twists, p and L are T^T M v, and T^T M T is the inertia.
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, NamedTuple
 
 import numpy as np
 
@@ -31,6 +31,26 @@ HELD = 1e-9
 def twists(dim: int) -> NDArray[np.int64]:
     """Which of the six components of a twist there are: all in space; along x and y and about z in the plane."""
     return np.arange(6) if dim == 3 else np.array([0, 1, 5])
+
+
+class Scalars(NamedTuple):
+    """Nodes that are no places: all of them, and those that are the rotation of a rigid beam in the plane."""
+
+    all: NDArray[np.int64]
+    rotations: NDArray[np.int64]
+
+    def not_known(self, system: System) -> list[str]:
+        """Those with a mass of which nothing says what turns, or goes along what."""
+        return [system.nodes[i] for i in np.setdiff1d(self.all, self.rotations) if system.node_mass[i]]
+
+
+@cached()
+def scalars_of(system: System) -> Scalars:
+    """The scalars of a system."""
+    model = system.model
+    turning = {beam.rotation for beam in model.beams.values() if beam.kind == "rigid"} - {None}
+    every = [i for i, node in enumerate(model.nodes.values()) if node.scalar]
+    return Scalars(np.array(every, np.int64), np.array([i for i in every if system.nodes[i] in turning], np.int64))
 
 
 def rigid_fields(x: Array) -> Array:
@@ -70,7 +90,8 @@ def inertia_and_momenta(system: System, x: Array, v: Array) -> tuple[Array, Arra
 @cached()
 def floats(system: System) -> System | None:
     """A floating system as it stands in a frame of its own: coordinates of some of its nodes are held, which no rigid motion
-    leaves as they are. None unless nothing holds the structure, and nothing in it is prescribed against the ground.
+    leaves as they are. None unless nothing holds the structure, and nothing in it is prescribed against the ground,
+    as the idle axes of scalars are.
 
     The nodes are those of one rigid part where there is one, so that the frame is as good in all positions of the structure.
     """

@@ -271,6 +271,8 @@ def braces(model: ModelData, groups: Mapping[str, Body], faulty: Iterable[str] =
                 own[_name(model, taken, f"{name}.{one}-{two}")] = Brace.model_construct(ends=(one, two))
                 pairs.add(frozenset((one, two)))
             taken.update(own)
+        elif _missing(model, body, pairs, clusters):  # nothing holds its nodes apart yet: what is braced later may have to
+            continue
         clusters.add(set(body.nodes))
     return found
 

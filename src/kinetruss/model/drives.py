@@ -13,6 +13,7 @@ from kinetruss.model.drivetrain import AmplifierOrName, GearOrName, MotorOrName
 from kinetruss.model.record import (
     Angle,
     Coordinate,
+    Factor,
     Name,
     Number,
     PositiveLength,
@@ -236,11 +237,11 @@ class Coupling(Record):
     pair two angles; the offsets of two points of one body from a line of another are the two conditions of a slider in the
     plane.
 
-    terms : pairs of coordinate and factor.
+    terms : pairs of coordinate and factor, a number: where it stands for a length, or for a length per angle, in m or m/rad.
     value : of the sum, m or rad; by default that in the model. Of coordinates of both kinds the factors say which it is.
     """
 
-    terms: Annotated[tuple[tuple[Measured, Number], ...], Field(min_length=1)]
+    terms: Annotated[tuple[tuple[Measured, Factor], ...], Field(min_length=1)]
     value: Coordinate | None = None
 
     @model_validator(mode="after")
@@ -329,7 +330,7 @@ class ForceElement(ElementRecord):
     plain: ClassVar[tuple[str, ...]]
     """Fields whose unit is that of a length or an angle, as the coordinate is."""
     coordinate: Measured | None = None
-    terms: Annotated[tuple[tuple[Measured, Number], ...], Field(min_length=1)] | None = None
+    terms: Annotated[tuple[tuple[Measured, Factor], ...], Field(min_length=1)] | None = None
 
     @property
     def parts(self) -> tuple[tuple[Any, float], ...]:

@@ -27,8 +27,10 @@ def stored_blocks(plan: Plan, run: RunResult) -> Iterator[Block]:
     for first in range(0, run.good, plan.block):
         part = slice(first, min(first + plan.block, run.good))
         motion = _cut(run.motion, part)
-        if plan.run.analysis != SIMULATED:
-            # states between samples are in the store only at the end; a simulation has them in its state
+        if BETWEEN in motion.whole.dims and plan.run.analysis != SIMULATED:  # a simulation tells all of them so far
+            motion = motion.with_(data=_instants(run.motion.whole, part.start, part.stop).load())
+        elif plan.run.analysis != SIMULATED:
+            # states between samples are in the store only at the end; earlier versions had no state of them
             before = run.motion.arrays["position"].values[first - 1] if first else None
             motion = motion.with_(data=motion.whole.assign(_between(_motion(plan, first, before))))
         forces = {

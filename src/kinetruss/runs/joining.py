@@ -9,6 +9,8 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from kinetruss import actuators, strength
+from kinetruss.kinematics.turns import Passed
+from kinetruss.mechanics import compile
 from kinetruss.model import Model
 from kinetruss.results import Demand, Forces, Motion, Simulation, Status, Verdict
 from kinetruss.results.store import key
@@ -19,6 +21,7 @@ from kinetruss.strength.gauge_records import inside
 
 if TYPE_CHECKING:
     import xarray as xr
+    from numpy.typing import NDArray
 
     from kinetruss.io import StrainHistory
 
@@ -98,6 +101,14 @@ class Accumulator:
             self.verdict = block.verdict if self.verdict is None else worse(self.verdict, block.verdict)
         for case, demand in block.demand.items():
             self.demand.setdefault(case, DemandAccumulator()).add(self.model, demand)
+
+    @property
+    def state(self) -> dict[str, NDArray[np.float64]] | None:
+        """The states between samples so far, which the store holds as variables only at the end; None without any."""
+        if not self.between:
+            return None
+        passed = Passed.of(compile(self.model), Motion(data=concatenated(self.between, BETWEEN)))
+        return {f"passed_{name}": values for name, values in vars(passed).items()}
 
 
 def notes_of(block: Block) -> list[str]:

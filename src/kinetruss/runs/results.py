@@ -252,7 +252,7 @@ def _read(store: Store, model: Model, group: str, motion: Motion | None = None) 
 
 
 def _passed(store: Store, model: Model) -> dict[str, Column]:
-    """The states between the samples of a simulation that has not ended; they are in its state."""
+    """The states between the samples of a run that has not ended; they are in its state."""
     if store.ledger.state == "finished":
         return {}
     with suppress(StoreError):  # a damaged state is reported when the run is resumed

@@ -163,7 +163,8 @@ def _stream(
         for block in computed:
             accumulated.add(block)
             end = _end_of(accumulated) if block.last else None
-            writer.append(groups_of(block), time.perf_counter() - started, block.state, end)
+            state = accumulated.state if block.state is None else block.state
+            writer.append(groups_of(block), time.perf_counter() - started, state, end)
             if progress is not None:
                 progress(writer.ledger.committed, len(job.times))
         if writer.ledger.state != "finished":  # nothing was left to compute

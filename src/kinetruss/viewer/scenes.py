@@ -305,6 +305,8 @@ def _standing(subject: _Subject) -> tuple[dict[str, Any], dict[str, NDArray[Any]
     except (AnalysisError, InputError) as error:
         position = np.array([node.at for node in model.whole.nodes.values()], float)
         more = {"message": f"Shown as drawn, not assembled: {error}"}
+    if subject.linear is not None and subject.linear.message:
+        more = {"message": subject.linear.message}
     when, case = np.zeros(1), None
     if subject.rest is not None:
         when, case = load_times(subject.rest, when), subject.rest.provenance.get("load_case")
