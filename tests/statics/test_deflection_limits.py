@@ -137,6 +137,13 @@ def test_a_stored_run_says_the_same(tmp_path):
     assert line == ["of", "girder", "16.88", "mm", "span/300", "20", "mm", "84.4", "%", line[9], "3", "m", "kept"]
 
 
+def test_another_configuration_is_refused():
+    beam = girder()
+    moved = kt.statics.linear(beam, kt.statics.equilibrium(beam))
+    with pytest.raises(kt.InputError, match="another configuration"):
+        kt.strength.deflections(beam, moved)
+
+
 def test_not_known_is_not_checked_with_the_reason():
     rigid = girder(2).with_(
         beams={"b0": ("N0", "N1"), "b1": kt.Beam(ends=("N1", "N2"), kind="rigid")},

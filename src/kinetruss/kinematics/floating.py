@@ -30,7 +30,8 @@ from kinetruss.kernels.structure.structure import EndForces, States
 from kinetruss.kernels.sweep.forces import applied
 from kinetruss.mechanics import System
 from kinetruss.mechanics.loads import Loads, case_loads
-from kinetruss.mechanics.rigid_motions import inertia_and_momenta, mass_times, resultants, rigid_fields, twists
+from kinetruss.mechanics.momenta import inertia_and_momenta, mass_times
+from kinetruss.mechanics.rigid_motions import resultants, rigid_fields, twists
 from kinetruss.mechanics.tables import nodal_loads, structure_of
 from kinetruss.mechanics.velocities import completed_velocities, named_coordinates
 from kinetruss.model import Spline, Trapezoid

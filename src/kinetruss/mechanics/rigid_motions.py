@@ -1,8 +1,7 @@
-"""Rigid motions of a whole structure: which of them nothing holds, its momenta, and its inertia against them.
+"""Rigid motions of a whole structure, and which of them nothing holds.
 
 A rigid motion is a twist (u, w): the velocity u of the place about which moments are taken, m/s, and the angular velocity w,
-rad/s. The momenta that belong to it are (p, L): linear, kg m/s, and angular about that place, kg m^2/s. With the velocities
-T of the nodes by unit twists, p and L are T^T M v, and T^T M T is the inertia.
+rad/s; T are the velocities of the nodes by unit twists.
 """
 
 from __future__ import annotations
@@ -12,10 +11,8 @@ from typing import TYPE_CHECKING, NamedTuple
 import numpy as np
 
 from kinetruss.elements.caching import cached
-from kinetruss.mechanics.matrices import constant_mass, varying_blocks
 from kinetruss.mechanics.rigid_parts import rigid_parts
 from kinetruss.mechanics.row_gradients import RANK_TOLERANCE, jacobian
-from kinetruss.mechanics.tables import elements
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray
@@ -65,26 +62,6 @@ def rigid_fields(x: Array) -> Array:
 def resultants(x: Array, force: Array) -> Array:
     """(..., 6): sum of vectors (..., n, 3) at the nodes x, and of their moments."""
     return np.concatenate([force.sum(axis=-2), np.cross(x, force).sum(axis=-2)], axis=-1)
-
-
-def mass_times(system: System, x: Array, w: Array) -> Array:
-    """M w (times, k, n, 3) at positions x (times, n, 3) of k velocities w (times, k, n, 3) of all nodes."""
-    flat = w.reshape(-1, system.x0.size)
-    found = np.asarray((constant_mass(system) @ flat.T).T).reshape(w.shape)
-    own = elements(system)
-    if len(own["varying"]):
-        A, B = own["varying_A"] // 3, own["varying_B"] // 3
-        AA, AB, BB = (block[:, None] for block in varying_blocks(system, x))
-        a, b = (w[:, :, ends, :, None] for ends in (A, B))
-        for ends, push in ((A, AA @ a + AB @ b), (B, AB @ a + BB @ b)):
-            np.add.at(found.swapaxes(0, 2), ends, push[..., 0].swapaxes(0, 2))
-    return found
-
-
-def inertia_and_momenta(system: System, x: Array, v: Array) -> tuple[Array, Array]:
-    """T^T M T (times, 6, 6) and T^T M v (times, 6) at positions x (times, n, 3) from the place of moments, and velocities v."""
-    found = resultants(x[:, None], mass_times(system, x, np.concatenate([rigid_fields(x), v[:, None]], axis=1)))
-    return np.ascontiguousarray(found[:, :6]), np.ascontiguousarray(found[:, 6])
 
 
 @cached()

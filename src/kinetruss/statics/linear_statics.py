@@ -140,6 +140,7 @@ def linear(
         "load_case": loads.name,
         "weight": word,
         "load_time": load_time,
+        "at_model": int(np.array_equal(x, system.x0)),
         "force_error": force,
         "displacement_error": displacement,
     }

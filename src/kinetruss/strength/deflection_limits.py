@@ -49,7 +49,7 @@ def deflections(model: Model, result: Result) -> list[Row]:
 
     Raises
     ------
-    InputError : a result of another kind, or of another model.
+    InputError : a result of another kind, of another model, or from another configuration.
 
     Notes
     -----
@@ -77,6 +77,8 @@ def deflections(model: Model, result: Result) -> list[Row]:
         raise InputError(
             f"A {type(result).__name__} has no deflections. Give the result of statics.linear or statics.equilibrium."
         )
+    if not result.attrs.get("at_model", 1):
+        raise InputError("The result is from another configuration than the model's. Give a model that stands there.")
     case = str(result.attrs.get("load_case", "all"))
     wanted = {name: one for name, one in model.deflections.items() if applies_in(model, one.load_cases, case)}
     if not wanted:
