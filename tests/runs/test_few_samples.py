@@ -13,7 +13,7 @@ HISTORIES = {"motion", "forces", "demand", "sections", "state", "result", "verdi
 """Parameters that take a result along time."""
 NOT_WALKED = {
     "kinematics.transfer_functions", "statics.equilibrium", "strength.table", "strength.beams", "strength.elements",
-    "dynamics.reduced_equations",
+    "strength.deflections", "dynamics.reduced_equations",
 }  # fmt: skip
 """Functions whose parameter of such a name is a single configuration, or a table without time."""
 NAN = math.nan
