@@ -26,7 +26,7 @@ export class ToolBar {
     this.cases = cases.length > 1 ? el("select", { "aria-label": "load case", title: app.hint("Load case", "E"), onchange: () => app.setCase(this.cases.value) },
       cases.map((name) => el("option", { value: name }, name))) : null;
     this.diagram = app.offered.length ? el("select", { "aria-label": "diagram", title: app.hint("Diagram over the structure", "S"), onchange: () => app.setDiagram(this.diagram.value) },
-      el("option", { value: "" }, "None"), app.offered.map(({ id, label }) => el("option", { value: id }, label))) : null;
+      el("option", { value: "" }, "Off"), app.offered.map(({ id, label }) => el("option", { value: id }, label))) : null;
     this.node = el("header", { class: app.views.length > 1 ? "toolbar two" : "toolbar" },
       el("div", { class: "title" }, el("h1", {}, titles.join(" | ")),
         app.views.map(({ scene }, k) => el("p", {}, app.views.length > 1 ? `${app.labels[k]}: ` : "", subtitle(scene)))),

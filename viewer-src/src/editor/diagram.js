@@ -15,7 +15,7 @@ export class Diagram {
   rebuild() {
     const { shows } = this.draw.state;
     if (!shows.some(({ id }) => id === this.on)) this.on = "";
-    this.select.replaceChildren(el("option", { value: "" }, "None"), ...shows.map(({ id, label }) => el("option", { value: id }, label)));
+    this.select.replaceChildren(el("option", { value: "" }, "Off"), ...shows.map(({ id, label }) => el("option", { value: id }, label)));
     this.select.value = this.on;
   }
 
