@@ -123,8 +123,9 @@ class RunResult:
         """The checks of the deflections to which the model gives limits, as of `strength.deflections`, in every load case; not
         checked where they are not known, as along motions.
         """
+        run = self.origin.runs.get(self.name)
         # of drives that tasks move the positions are not those of loads alone
-        return tuple(deflection_rows(self, moved=bool(self.origin.runs[self.name].tasks)))
+        return tuple(deflection_rows(self, moved=run is not None and bool(run.tasks)))
 
     def _posed(self, rows: Iterable[Row]) -> list[Row]:
         """The rows; of a run of poses, whose times are their numbers, with the pose in which each value is."""
