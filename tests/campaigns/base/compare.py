@@ -43,7 +43,7 @@ from revision import NoHistoryError, checkout, hash_of
 
 HERE = Path(__file__).resolve().parent
 TREE = HERE.parents[2]
-BASE = "087d3844e77c5c96b90da70b598ccf249173099d"
+BASE = "9d149b53f04e8853fa24bdf7cb080eaedf049585"
 """Commit that the tree must agree with."""
 NOT_CHECKED = 3
 MOST = 60
