@@ -43,7 +43,7 @@ from revision import NoHistoryError, checkout, hash_of
 
 HERE = Path(__file__).resolve().parent
 TREE = HERE.parents[2]
-BASE = "9d149b53f04e8853fa24bdf7cb080eaedf049585"
+BASE = "330bea87c96d5f0a19562b379fe29975810b2ddb"
 """Commit that the tree must agree with."""
 NOT_CHECKED = 3
 MOST = 60
