@@ -374,12 +374,38 @@ def mobility_at(
     else:
         rank = spaces.rank if own.all() else Spaces(J[own], spaces.near).rank
     rows, columns = J.shape
+    driven, counted = len(system.coordinate_drive), _counted(system, own[: len(system.row_kind)])
+    return Mobility(
+        **counted.of,
+        beams=sum(name in system.given.beams for name in set(found.names)),
+        rank=rank - counted.braces,
+        degrees_of_freedom=columns + driven - rank,
+        undriven=columns - spaces.rank,
+        self_stress=rows - spaces.rank,
+        maxwell=columns - rows,
+        node_names=system.nodes,
+        row_names=(*system.row_names, *found.names),
+        system=system,
+        position=x,
+        spaces=spaces,
+    )
+
+
+class _Counted(NamedTuple):
+    """Numbers of parts by the fields of `Mobility`; braces : rows that only hold what stands for the user's parts together."""
+
+    of: dict[str, int]
+    braces: int
+
+
+def _counted(system: System, own: NDArray[np.bool_]) -> _Counted:
+    """Coordinates and parts as the user has them, without those that stand for others; own (rows,) : rows without a drive."""
     dim, driven, inner = system.dim, len(system.coordinate_drive), system.inner
     idle = (dim - 1) * sum(node.scalar for node in system.model.nodes.values())
     # of inner nodes and the bars that hold them only the rotations count that they represent
     places = np.array([system.node_index(name) for name in inner.nodes], np.int64)
     loose = int((~system.prescribed.reshape(-1, 3)[places, :dim]).sum())
-    length = own[: len(system.row_kind)] & (system.row_kind == LENGTH)
+    length = own & (system.row_kind == LENGTH)
     framed = {node for frame in inner.frames.values() for node in frame.nodes} | {hinge.node for hinge in inner.hinges}
     rest = inner.nodes.keys() - framed
     added = [name in inner.bars and any(end in rest for end in one.ends) for name, one in system.model.members.items()]
@@ -403,26 +429,16 @@ def mobility_at(
     turned = {name for name, owner in inner.couplings.items() if owner.table == "hubs" or name.endswith(SPIN)}
     couplings = sum(name in turned for name in system.row_names)
     braces = bars + couplings
-    return Mobility(
-        coordinates=len(system.nodes) * dim - idle - len(places) * dim + loose - braces,
-        fixed=int(system.prescribed.sum()) - driven - len(system.nodes) * (3 - dim) - idle - (len(places) * dim - loose),
-        bars=int(length.sum()) - bars,
-        beams=sum(name in system.given.beams for name in set(found.names)),
-        links=len(system.given.links),
-        link_bars=max(int(length.sum()) - bars - own_bars, 0) if system.given.links else 0,
-        couplings=int((system.row_kind == SUM)[system.row_drive < 0].sum()) - couplings,
-        drives=len(system.drives),
-        rank=rank - braces,
-        degrees_of_freedom=columns + driven - rank,
-        undriven=columns - spaces.rank,
-        self_stress=rows - spaces.rank,
-        maxwell=columns - rows,
-        node_names=system.nodes,
-        row_names=(*system.row_names, *found.names),
-        system=system,
-        position=x,
-        spaces=spaces,
-    )
+    of = {
+        "coordinates": len(system.nodes) * dim - idle - len(places) * dim + loose - braces,
+        "fixed": int(system.prescribed.sum()) - driven - len(system.nodes) * (3 - dim) - idle - (len(places) * dim - loose),
+        "bars": int(length.sum()) - bars,
+        "links": len(system.given.links),
+        "link_bars": max(int(length.sum()) - bars - own_bars, 0) if system.given.links else 0,
+        "couplings": int((system.row_kind == SUM)[system.row_drive < 0].sum()) - couplings,
+        "drives": len(system.drives),
+    }
+    return _Counted(of, braces)
 
 
 def _hardly_strains(system: System, x: NDArray[np.float64], change: NDArray[np.float64], held: csr_array) -> bool:
