@@ -62,9 +62,8 @@ class Varied:
 
     def model_at(self, change: NDArray[np.float64]) -> Model:
         """The model with the numbers changed by (K,)."""
-        return changed(
-            self.model, {path: float(self.value[k] + change[k]) for k in np.flatnonzero(change) for path in self.keys[k]}
-        )
+        at = self.value + change
+        return changed(self.model, [(keys, float(at[k])) for k in np.flatnonzero(change) for keys in self.keys[k]])
 
     @cached_property
     def near(self) -> list[Near]:
@@ -163,7 +162,7 @@ def _placed(
 
     def at(values: NDArray[np.float64]) -> System:
         pairs = zip(groups, values, strict=True)
-        return compile(changed(model, {path: float(one) for group, one in pairs for path in group}))
+        return compile(changed(model, [(path, float(one)) for group, one in pairs for path in group]))
 
     system, other = at(value + mark), at(value + 2 * mark)
     a, b = numbers_of(system), numbers_of(other)

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from typing import Any
 
@@ -58,13 +58,13 @@ def set_values(model: Model, settings: Mapping[str, Any]) -> Model:
     >>> heavier.nodes["B"].mass, heavier.title
     (20.0, 'Heavier')
     """
-    return changed(model, {resolved(model, path): given(value) for path, value in settings.items()})
+    return changed(model, [(resolved(model, path), given(value)) for path, value in settings.items()])
 
 
-def changed(model: Model, settings: Mapping[Keys, Any]) -> Model:
+def changed(model: Model, settings: Iterable[tuple[Keys, Any]]) -> Model:
     """`set_values` with paths as they are `resolved`, and values that are no text."""
     changes: dict[str | int, Any] = {}
-    for keys, value in settings.items():
+    for keys, value in settings:
         _noted(changes, keys, _New(value))
     return Model(**_changed(model, changes))
 
