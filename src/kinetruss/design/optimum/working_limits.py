@@ -1,0 +1,73 @@
+"""The search with few limits of very many: instants, places and members that matter, taken in as they are reached.
+
+A limit over 50,000 instants is 50,000 rows, of which an optimum reaches a handful. The search sees a working set; at its end all
+rows are computed once, and those that are exceeded join, until none is (Haftka and Gurdal 1992, section 7.3; an exchange method,
+Hettich and Kortanek, SIAM Review 35 (1993) 380).
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from kinetruss.design.optimum.certificate import Certificate, certificate
+from kinetruss.design.optimum.evaluations import FEASIBLE, Evaluations
+from kinetruss.design.optimum.solvers import Method, search
+
+if TYPE_CHECKING:
+    from numpy.typing import NDArray
+
+ALL = 200
+"""Up to this number of limits all are in the working set."""
+NEAR = 0.3
+"""Limits with less than this left, of their size, are taken at the start."""
+OF_A_FAMILY = 8
+"""At most so many rows of a family join at once."""
+ROUNDS = 30
+
+
+@dataclass(frozen=True, kw_only=True)
+class Found:
+    """Where a search ended. p (n,); rows : the working set at the end; said : by the solver; rounds : searches."""
+
+    p: NDArray[np.float64]
+    certificate: Certificate
+    rows: NDArray[np.int64]
+    said: str
+    rounds: int
+
+
+def optimum(asked: Evaluations, start: NDArray[np.float64], method: Method, iterations: int, tolerance: float) -> Found:
+    """Search from a point p (n,), with a working set of limits, until no other limit is exceeded.
+
+    Where another solver than SLSQP stops before the conditions of first order hold, SLSQP goes on from there.
+    """
+    problem = asked.problem
+    z = problem.scaled(start)
+    count = len(problem.limits)
+    rows = np.arange(count) if count <= ALL else _joining(asked.values(problem.real(z))[1], problem.families, NEAR)
+    for rounds in range(1, ROUNDS + 1):
+        z, said = search(asked, rows, z, method, iterations, tolerance)
+        proof = certificate(asked, problem.real(z))
+        excess = asked.values(problem.real(z))[1]
+        more = np.setdiff1d(_joining(excess, problem.families, -FEASIBLE), rows)
+        if len(more):
+            rows = np.union1d(rows, more)
+            continue
+        if proof.first_order or method == "slsqp":
+            break
+        method = "slsqp"
+    return Found(p=problem.real(z), certificate=proof, rows=rows, said=said, rounds=rounds)
+
+
+def _joining(excess: NDArray[np.float64], families: NDArray[np.int64], near: float) -> NDArray[np.int64]:
+    """Of every family the rows with the largest excess, that have less than `near` left; the first search has the worst of each."""
+    order = np.lexsort((-excess, families))
+    first = np.flatnonzero(np.diff(families[order], prepend=-1))
+    place = np.arange(len(order)) - np.repeat(first, np.diff(np.append(first, len(order))))
+    chosen = (place < OF_A_FAMILY) & (excess[order] > -near)
+    if near > 0:
+        chosen |= place == 0
+    return np.sort(order[chosen])
