@@ -2,10 +2,11 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterable
 from dataclasses import replace
 from pathlib import Path
 
-from kinetruss.errors import ModelError
+from kinetruss.errors import Fault, ModelError
 from kinetruss.io.yaml_text import MAX_SIZE, locate, parse, plain, read_text, refuse
 from kinetruss.model import OptimumTask, of_file
 
@@ -54,3 +55,9 @@ def read_optimum(path: str | Path, *, max_size: int = MAX_SIZE) -> OptimumTask:
     except ModelError as error:
         raise ModelError([replace(fault, file=fault.file or str(path)) for fault in error.faults], str(path)) from None
     return task if task.model is None else task.with_(model=str(path.parent / task.model))
+
+
+def placed_in(path: str | Path, faults: Iterable[Fault]) -> list[Fault]:
+    """Faults of a task with their line and column in its file."""
+    tree, _ = parse(Path(path), read_text(Path(path), MAX_SIZE))
+    return [fault if tree is None or fault.file else replace(locate(fault, tree), file=str(path)) for fault in faults]

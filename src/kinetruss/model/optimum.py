@@ -10,6 +10,7 @@ from kinetruss.errors import Fault, shown
 from kinetruss.model.record import Name, Number, Of, Record, Whole
 from kinetruss.model.table import Filled
 from kinetruss.model.words import faults_of
+from kinetruss.units import NUMBER
 
 FORMAT = 1
 
@@ -18,6 +19,19 @@ Measure = Annotated[float, Of("measure")]
 Paths = Annotated[tuple[str, ...], Field(min_length=1), BeforeValidator(lambda one: (one,) if isinstance(one, str) else one)]
 Names = Annotated[tuple[str, ...], Field(min_length=1), BeforeValidator(lambda one: (one,) if isinstance(one, str) else one)]
 Text = Annotated[str, Field(min_length=1, max_length=1000)]
+
+
+def _plain(value: Any) -> Any:
+    """A value as a file has it, as text: true and false, numbers."""
+    if isinstance(value, dict):
+        return {key: _plain(one) for key, one in value.items()}
+    if value in ("true", "false"):
+        return value == "true"
+    return float(value) if isinstance(value, str) and NUMBER.fullmatch(value) else value
+
+
+Arguments = Annotated[dict[str, Any], BeforeValidator(_plain)]
+"""Arguments of an analysis by name."""
 
 
 def _format(value: Any) -> Any:
@@ -75,7 +89,7 @@ class OptimumLimit(Record):
     at_least: Measure | None = None
     load_cases: Names | None = None
     analysis: str | None = None
-    arguments: dict[str, Any] = Field(default_factory=dict)
+    arguments: Arguments = Field(default_factory=dict)
 
     @model_validator(mode="after")
     def _sound(self) -> OptimumLimit:
@@ -107,7 +121,7 @@ class OptimumTask(Record):
     variables: Filled[Name, OptimumVariable]
     limits: dict[Name, OptimumLimit] = Field(default_factory=dict)
     analysis: str = "statics.linear"
-    arguments: dict[str, Any] = Field(default_factory=dict)
+    arguments: Arguments = Field(default_factory=dict)
     load_cases: Names | None = None
     method: Literal["slsqp", "trust-constr", "mma", "highs"] = "slsqp"
     iterations: Annotated[Whole, Field(ge=1, le=100_000)] = 500
