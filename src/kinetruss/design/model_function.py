@@ -48,7 +48,7 @@ class ModelFunction:
         self.model, self.task = model, task
         self.paths, variables = _variables(model, task)
         self.asked = _asked(model, task)
-        self._last: tuple[bytes, list[list[Entries]], Any] | None = None
+        self._last: tuple[bytes, list[list[Entries]]] | None = None
         start = np.array([one.start for one in variables])
         self.row_at, limits = self._rows(self._entries(start))
         self.problem = Problem(variables=variables, limits=limits, function=self, objective=task.least, unit=self.unit)
@@ -115,7 +115,7 @@ class ModelFunction:
             for asked in self.asked:
                 data = _analysed(asked, system).data()
                 found.append([_read(name, text, data) for name, text in asked.texts])
-            self._last = (key, found, None)
+            self._last = (key, found)
         return self._last[1]
 
     def _objective(self, found: list[list[Entries]]) -> float:
@@ -126,13 +126,13 @@ class ModelFunction:
         raise AssertionError
 
     def _excess(self, found: list[list[Entries]]) -> NDArray[np.float64]:
-        values = np.array([found[a][t].values.reshape(-1)[k] for a, t, k in self.row_at])
-        limits = self.problem.limits
-        return (values - np.array([one.limit for one in limits])) * self._sign_over_size
+        values = np.concatenate([np.zeros(0), *(found[a][t].values.reshape(-1)[k] for a, t, k in self._blocks)])
+        return np.asarray((values - self._limit) * self._sign_over_size)
 
     def _rows(self, found: list[list[Entries]]) -> tuple[list[tuple[int, int, int]], list[Limit]]:
         rows: list[tuple[int, int, int]] = []
         limits: list[Limit] = []
+        self._blocks: list[tuple[int, int, NDArray[np.int64]]] = []
         faults: list[Fault] = []
         for j, (asked, read) in enumerate(zip(self.asked, found, strict=True)):
             case = asked.arguments.get("load_case")
@@ -149,14 +149,16 @@ class ModelFunction:
                         continue
                     faults += _unit_faults(name, side, limit, one.unit, text)
                     size = abs(float(limit)) or float(np.abs(one.values).max(initial=0.0)) or 1.0
+                    self._blocks.append((j, i, np.arange(one.values.size)))
                     for k in range(one.values.size):
                         subject = " ".join(filter(None, [name, one.name(k) and f"of {one.name(k)}", case and f"in {case}"]))
+                        family = f"{name} {side} {case} {one.part(k)}"
                         rows.append((j, i, k))
-                        limits.append(Limit(subject=subject, family=f"{name} {side} {case}", limit=float(limit), size=size,
-                                            sign=sign, unit=one.unit))  # fmt: skip
+                        limits.append(Limit(subject=subject, family=family, limit=float(limit), size=size, sign=sign, unit=one.unit))
         if faults:
             raise ModelError(faults)
         self._sign_over_size = np.array([one.sign / one.size for one in limits])
+        self._limit = np.array([one.limit for one in limits])
         return rows, limits
 
 

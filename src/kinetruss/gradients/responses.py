@@ -102,6 +102,11 @@ class Entries:
             return ""
         return _name_of(np.array(np.unravel_index(k, self.values.shape)), self.dims, self._at)
 
+    def part(self, k: int) -> str:
+        """The same without the instant."""
+        place = np.unravel_index(k, self.values.shape)
+        return " ".join(self.labels[i][j] for i, j in enumerate(place) if self.dims[i] != TIME)
+
     def seeds(self, k: int) -> dict[str, NDArray[np.float64]]:
         """Of entry k, by variable."""
         one = np.zeros(self.values.shape)

@@ -21,6 +21,8 @@ if TYPE_CHECKING:
 
 REACHED = 1e-4
 """A limit with less than this left, of its size, counts as reached."""
+OF_A_FAMILY = 8
+"""At most so many rows of a family are looked at: neighbouring instants say the same."""
 FIRST_ORDER = 1e-3
 """Largest residual, of the gradient of the objective, at which the conditions count as fulfilled."""
 
@@ -68,7 +70,7 @@ def certificate(asked: Evaluations, p: NDArray[np.float64]) -> Certificate:
     """The Kuhn-Tucker conditions at a point p (n,)."""
     problem = asked.problem
     objective, excess = asked.values(p)
-    rows = np.flatnonzero(excess > -REACHED)
+    rows = worst_of_families(excess, problem.families, REACHED)
     slope_f, slope_g = asked.gradients(p, rows)
     z = problem.scaled(p)
     low, high = np.flatnonzero(z < REACHED**2), np.flatnonzero(z > 1 - REACHED**2)
@@ -99,3 +101,12 @@ def certificate(asked: Evaluations, p: NDArray[np.float64]) -> Certificate:
         complementarity=lost / (abs(objective) or 1.0),
         active=tuple(found),
     )
+
+
+def worst_of_families(excess: NDArray[np.float64], families: NDArray[np.int64], near: float) -> NDArray[np.int64]:
+    """Of every family the rows (k,) with the largest excess that have less than `near` left, in their order."""
+    chosen = np.flatnonzero(excess > -near)
+    order = chosen[np.lexsort((-excess[chosen], families[chosen]))]
+    first = np.flatnonzero(np.diff(families[order], prepend=-1))
+    place = np.arange(len(order)) - np.repeat(first, np.diff(np.append(first, len(order))))
+    return np.sort(order[place < OF_A_FAMILY])

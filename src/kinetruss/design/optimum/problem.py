@@ -36,8 +36,8 @@ class Variable:
 class Limit:
     """One row of the limits: value <= limit (or >=), which the function gives as excess = (value - limit) sign/size <= 0.
 
-    subject : of what, e.g. ``stress of M7 in case 3 at 1.2 s``. family : rows of one family are instants, places or members of
-    one limit of the user, of which few matter. size : by which it is divided, > 0. sign : 1 at most, -1 at least.
+    subject : of what, e.g. ``stress of M7 in case 3 at 1.2 s``. family : rows of one family are the instants of
+    one limit on one part, of which few matter. size : by which it is divided, > 0. sign : 1 at most, -1 at least.
     """
 
     subject: str

@@ -5,6 +5,7 @@ All see scaled variables z between 0 and 1, an objective of the size 1 and limit
 
 from __future__ import annotations
 
+import warnings
 from collections.abc import Callable
 from typing import TYPE_CHECKING, Any, Literal
 
@@ -67,10 +68,12 @@ def _slsqp(scaled: Scaled, z: NDArray[np.float64], iterations: int, tolerance: f
 def _trust(scaled: Scaled, z: NDArray[np.float64], iterations: int, tolerance: float) -> tuple[NDArray[np.float64], str]:
     limits = NonlinearConstraint(lambda z: scaled.at(z)[1], -np.inf, 0.0, jac=lambda z: scaled.slopes(z)[1])
     options = {"maxiter": iterations, "gtol": tolerance, "xtol": tolerance, "barrier_tol": tolerance}
-    found = minimize(
-        scaled.objective, z, jac=scaled.slope, method="trust-constr", bounds=Bounds(0.0, 1.0, keep_feasible=True),
-        constraints=[limits] if len(scaled.rows) else [], options=options,
-    )  # fmt: skip
+    with warnings.catch_warnings():
+        warnings.filterwarnings("ignore", "delta_grad == 0.0")  # of an objective that is linear
+        found = minimize(
+            scaled.objective, z, jac=scaled.slope, method="trust-constr", bounds=Bounds(0.0, 1.0, keep_feasible=True),
+            constraints=[limits] if len(scaled.rows) else [], options=options,
+        )  # fmt: skip
     return np.clip(found.x, 0.0, 1.0), str(found.message)
 
 
@@ -111,7 +114,7 @@ def _linear_programs(scaled: Scaled, z: NDArray[np.float64], iterations: int, to
     """Steps to the optimum of the linearised problem within a region of trust (Fletcher and Sainz de la Maza, Math. Program. 43
     (1989) 235). A linear problem is solved by its first step, wherever it starts.
     """
-    reach, penalty, n, said = 1.0, PENALTY, len(z), "it took as many steps as were allowed"
+    reach, penalty, said = 1.0, PENALTY, "it took as many steps as were allowed"
     value, excess = scaled.at(z)
     for _ in range(iterations):
         slope_f, slope_g = scaled.slopes(z)
@@ -130,7 +133,6 @@ def _linear_programs(scaled: Scaled, z: NDArray[np.float64], iterations: int, to
             reach = 0.3 * float(np.abs(step).max())
         if reach < 1e-12:
             return z, "the region of trust has closed"
-    del n
     return z, said
 
 

@@ -36,6 +36,10 @@ SMALL = 0.02
 """Width of a box, of the largest load, from which on it is solved in whole numbers."""
 
 
+NARROW = 1e-7
+"""Width of a box below which halving it tells nothing more."""
+
+
 @dataclass(frozen=True, kw_only=True, eq=False)
 class SectionTask:
     """A truss of m bars in g groups with n degrees of freedom.
@@ -253,6 +257,10 @@ class _Search:
             width = node.high - node.low
             if (width.max(initial=0.0) < SMALL or not width.size) and self.in_whole_numbers(node):
                 continue
+            if width.max(initial=0.0) < NARROW:
+                heapq.heappush(self.heap, node)
+                self.stopped = "met a design that exceeds a limit by less than round-off"
+                return
             at = np.unravel_index(int(width.argmax()), width.shape)
             middle = 0.5 * (node.low[at] + node.high[at])
             upper, lower = node.high.copy(), node.low.copy()

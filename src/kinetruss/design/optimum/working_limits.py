@@ -12,7 +12,7 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from kinetruss.design.optimum.certificate import Certificate, certificate
+from kinetruss.design.optimum.certificate import Certificate, certificate, worst_of_families
 from kinetruss.design.optimum.evaluations import FEASIBLE, Evaluations
 from kinetruss.design.optimum.solvers import Method, search
 
@@ -23,8 +23,6 @@ ALL = 200
 """Up to this number of limits all are in the working set."""
 NEAR = 0.3
 """Limits with less than this left, of their size, are taken at the start."""
-OF_A_FAMILY = 8
-"""At most so many rows of a family join at once."""
 ROUNDS = 30
 
 
@@ -47,27 +45,16 @@ def optimum(asked: Evaluations, start: NDArray[np.float64], method: Method, iter
     problem = asked.problem
     z = problem.scaled(start)
     count = len(problem.limits)
-    rows = np.arange(count) if count <= ALL else _joining(asked.values(problem.real(z))[1], problem.families, NEAR)
+    rows = np.arange(count) if count <= ALL else worst_of_families(asked.values(problem.real(z))[1], problem.families, NEAR)
     for rounds in range(1, ROUNDS + 1):
         z, said = search(asked, rows, z, method, iterations, tolerance)
-        proof = certificate(asked, problem.real(z))
         excess = asked.values(problem.real(z))[1]
-        more = np.setdiff1d(_joining(excess, problem.families, -FEASIBLE), rows)
+        more = np.setdiff1d(worst_of_families(excess, problem.families, -FEASIBLE), rows)
         if len(more):
             rows = np.union1d(rows, more)
             continue
-        if proof.first_order or method == "slsqp":
+        if method == "slsqp" or certificate(asked, problem.real(z)).first_order:
             break
         method = "slsqp"
+    proof = certificate(asked, problem.real(z))
     return Found(p=problem.real(z), certificate=proof, rows=rows, said=said, rounds=rounds)
-
-
-def _joining(excess: NDArray[np.float64], families: NDArray[np.int64], near: float) -> NDArray[np.int64]:
-    """Of every family the rows with the largest excess, that have less than `near` left; the first search has the worst of each."""
-    order = np.lexsort((-excess, families))
-    first = np.flatnonzero(np.diff(families[order], prepend=-1))
-    place = np.arange(len(order)) - np.repeat(first, np.diff(np.append(first, len(order))))
-    chosen = (place < OF_A_FAMILY) & (excess[order] > -near)
-    if near > 0:
-        chosen |= place == 0
-    return np.sort(order[chosen])
