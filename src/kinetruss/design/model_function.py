@@ -2,13 +2,16 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
 from kinetruss.design.optimum.problem import Limit, Problem, Variable
+from kinetruss.design.own_limits import NAMES, beside, slopes
+from kinetruss.design.vibration_point import VibrationPoint
+from kinetruss.flexible import frequencies
 from kinetruss.errors import Fault, InputError, ModelError, few
 from kinetruss.gradients import Entries, read_entries
 from kinetruss.gradients.gradient import POINTS
@@ -24,6 +27,10 @@ if TYPE_CHECKING:
     from numpy.typing import NDArray
 
 OBJECTIVE = "least"
+ANALYSES = {**POINTS, frequencies: VibrationPoint}
+"""Analyses whose results have gradients."""
+STEP = 1e-3
+"""Of differences of what a member bears, as a share of a variable or its range."""
 STILL = 1e-12
 """A change of a value below this, of itself, is none."""
 
@@ -69,7 +76,9 @@ class ModelFunction:
         of_objective = np.zeros(len(p))
         for j, asked in enumerate(self.asked):
             point = _analysed(asked, by.system)
-            read = [read_entries(text, point.data()) for _, text in asked.texts]
+            data = point.data()
+            more = beside(by.model, data)
+            read = [read_entries(text, data, more) for _, text in asked.texts]
             # both sides of a limit have the gradient of one entry
             wanted: dict[tuple[int, int], list[int]] = {}
             wanted |= {(i, 0): [] for i, (name, _) in enumerate(asked.texts) if name == OBJECTIVE}
@@ -80,13 +89,29 @@ class ModelFunction:
             if not wanted:
                 continue
             seeds = [read[text].seeds(entry) for text, entry in wanted]
-            for ((text, _), places), found in zip(wanted.items(), gradients_at(point, by, seeds), strict=True):
+            for ((text, _), places), found in zip(wanted.items(), self._slopes(p, point, by, data, seeds), strict=True):
                 if asked.texts[text][0] == OBJECTIVE:
                     of_objective = found
                 for place in places:
                     limit = self.problem.limits[rows[place]]
                     slope[place] = found * limit.sign / limit.size
         return of_objective, slope
+
+    def _slopes(self, p: NDArray[np.float64], point: Any, by: Any, data: Any, seeds: Sequence[Mapping[str, Any]]) -> Any:
+        """Derivatives (responses, n): of results by the analysis, of what members bear by its formulas."""
+        own = [{name: one for name, one in seed.items() if name not in NAMES} for seed in seeds]
+        found = np.zeros((len(seeds), len(p)))
+        if some := [k for k, seed in enumerate(own) if seed]:
+            found[some] = gradients_at(point, by, [own[k] for k in some])
+        if any(name in seed for seed in seeds for name in NAMES):
+            variables = self.problem.variables
+            step = STEP * np.array([abs(at) or one.upper - one.lower for at, one in zip(p, variables, strict=True)])
+            members = [str(name) for name in data["member"].values]
+            for name, slope in slopes(self.model_at, p, members, step).items():
+                for k, seed in enumerate(seeds):
+                    if name in seed:
+                        found[k] += np.nan_to_num(seed[name]) @ np.nan_to_num(slope)
+        return found
 
     def entries(self, p: NDArray[np.float64]) -> Iterator[tuple[_Asked, str, Entries]]:
         """All responses at a point: their analysis, the name of their limit, their values."""
@@ -110,11 +135,12 @@ class ModelFunction:
     def _entries(self, p: NDArray[np.float64]) -> list[list[Entries]]:
         key = p.tobytes()
         if self._last is None or self._last[0] != key:
-            system = compile(self.model_at(p))
-            found = []
+            model = self.model_at(p)
+            system, found = compile(model), []
             for asked in self.asked:
                 data = _analysed(asked, system).data()
-                found.append([_read(name, text, data) for name, text in asked.texts])
+                more = beside(model, data)
+                found.append([_read(name, text, data, more) for name, text in asked.texts])
             self._last = (key, found)
         return self._last[1]
 
@@ -162,9 +188,9 @@ class ModelFunction:
         return rows, limits
 
 
-def _read(name: str, text: str, data: Any) -> Entries:
+def _read(name: str, text: str, data: Any, more: Mapping[str, Any]) -> Entries:
     try:
-        return read_entries(text, data)
+        return read_entries(text, data, more)
     except InputError as error:
         path = (OBJECTIVE,) if name == OBJECTIVE else ("limits", name, "of")
         raise ModelError([Fault(path, str(error), "")]) from None
@@ -173,21 +199,26 @@ def _read(name: str, text: str, data: Any) -> Entries:
 def _unit_faults(name: str, side: str, limit: float, unit: str, text: str) -> Iterator[Fault]:
     given = getattr(limit, "quantity", None)
     given = {"length": "m", "angle": "rad"}.get(given, given)
-    if given is not None and dimension_of(given) != dimension_of(unit):
+    if given is not None and _dimension(given) != _dimension(unit):
         yield Fault(("limits", name, side), f"is in {given or '1'}, but {text} in {unit or '1'}.", f"Give it in {unit or 'no unit'}.")
+
+
+def _dimension(unit: str) -> tuple[int, ...]:
+    """Exponents of a unit, also of one as ``1/s``."""
+    return tuple(-one for one in dimension_of(unit[2:])) if unit.startswith("1/") else dimension_of(unit)
 
 
 def _analysed(asked: _Asked, system: Any) -> Any:
     """The analysis of a system at its solution."""
     try:
-        return POINTS[_analyses()[asked.analysis]](system, **asked.arguments)
+        return ANALYSES[_analyses()[asked.analysis]](system, **asked.arguments)
     except TypeError as error:
         raise ModelError([Fault(("arguments",), f"{asked.analysis} does not take them: {error}.", "See its arguments.")]) from None
 
 
 def _analyses() -> dict[str, Any]:
     """The analyses whose results have gradients, by name."""
-    return {f"{one.__module__.split('.')[1]}.{one.__name__}": one for one in POINTS}
+    return {f"{one.__module__.split('.')[1]}.{one.__name__}": one for one in ANALYSES}
 
 
 def _asked(model: Model, task: OptimumTask) -> list[_Asked]:
