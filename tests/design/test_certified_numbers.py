@@ -6,13 +6,13 @@ from __future__ import annotations
 
 import numpy as np
 import pytest
-from reference.trusses import ten_bars, twenty_five_bars
 
 from kinetruss.design.optimum.certificate import certificate
 from kinetruss.design.optimum.contradictions import contradiction
 from kinetruss.design.optimum.evaluations import Evaluations
 from kinetruss.design.optimum.problem import Limit, Problem, Variable
 from kinetruss.design.optimum.working_limits import optimum
+from reference.trusses import ten_bars, twenty_five_bars
 
 
 class Formula:
@@ -30,11 +30,10 @@ class Formula:
         return self.f(p)[1], self.g(p)[1][rows]
 
 
-def problem(function, lower, upper, start, count, scale="range", families=None):
-    variables = [
-        Variable(name=f"x{k}", lower=a, upper=b, start=c, scale=scale) for k, (a, b, c) in enumerate(zip(lower, upper, start, strict=True))
-    ]
-    limits = [Limit(subject=f"g{k}", family="g" if families is None else families[k], limit=1.0, size=1.0) for k in range(count)]
+def problem(function, lower, upper, start, count, scale="range"):
+    ends = enumerate(zip(lower, upper, start, strict=True))
+    variables = [Variable(name=f"x{k}", lower=a, upper=b, start=c, scale=scale) for k, (a, b, c) in ends]
+    limits = [Limit(subject=f"g{k}", family="g", limit=1.0, size=1.0) for k in range(count)]
     return Problem(variables=variables, limits=limits, function=function)
 
 
@@ -85,7 +84,10 @@ def two_bars(order=(0, 1), factor=1.0, scale="range"):
     return problem(Formula(f, g), [0.1 * factor] * 2, [3.0 * factor] * 2, [2.0 * factor] * 2, 2, scale)
 
 
-@pytest.mark.parametrize(("order", "factor", "scale"), [((0, 1), 1, "range"), ((1, 0), 1, "range"), ((0, 1), 1e-4, "log"), ((1, 0), 1e5, "inverse")])
+CASES = [((0, 1), 1, "range"), ((1, 0), 1, "range"), ((0, 1), 1e-4, "log"), ((1, 0), 1e5, "inverse")]
+
+
+@pytest.mark.parametrize(("order", "factor", "scale"), CASES)
 def test_scale_and_order_of_variables_change_nothing(order, factor, scale):
     """x = 0.6, y = 2/(4 - 1/x); multipliers by hand: m1 = 4 y^2 of the elongation, m2 = (y/x)^2 - 1."""
     result = found(Evaluations(two_bars(order, factor, scale)))
@@ -172,7 +174,7 @@ def test_multipliers_are_what_a_changed_limit_saves():
 
 
 def test_few_rows_of_very_many_are_worked_with():
-    """Least largest value: a limit at 50,000 instants, sin(t) x + cos(t) y <= 1 + ..., of which a handful are differentiated."""
+    """sin(t) x + cos(t) y <= 1 at 50,000 instants: the unit circle, of which a handful of instants are differentiated."""
     t = np.linspace(0, 2 * np.pi, 50_000)
     along = np.stack([np.sin(t), np.cos(t)], axis=1)
     rows: list[int] = []

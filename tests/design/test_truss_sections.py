@@ -6,9 +6,9 @@ import itertools
 
 import numpy as np
 import pytest
-from reference.trusses import RAJEEV, ten_bars
 
 from kinetruss.design.optimum.truss_sections import SectionTask, lightest
+from reference.trusses import RAJEEV, ten_bars
 
 PUBLISHED = [33.5, 1.62, 22.9, 14.2, 1.62, 1.62, 7.97, 22.9, 22.0, 1.62]
 

@@ -54,7 +54,7 @@ def main(context: click.Context) -> None:
 
 
 for _verb in (
-    new, check, run, info, verify, examples, import_file, export, plot, compare, size, optimise, budget, explain, gauges, view, picture,
-    render, report, studio, compile_kernels,
+    new, check, run, info, verify, examples, import_file, export, plot, compare, size, optimise, budget, explain, gauges, view,
+    picture, render, report, studio, compile_kernels,
 ):  # fmt: skip
     main.add_command(_verb)

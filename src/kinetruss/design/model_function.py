@@ -11,8 +11,8 @@ import numpy as np
 from kinetruss.design.optimum.problem import Limit, Problem, Variable
 from kinetruss.design.own_limits import NAMES, beside, slopes
 from kinetruss.design.vibration_point import VibrationPoint
-from kinetruss.flexible import frequencies
 from kinetruss.errors import Fault, InputError, ModelError, few
+from kinetruss.flexible import frequencies
 from kinetruss.gradients import Entries, read_entries
 from kinetruss.gradients.gradient import POINTS
 from kinetruss.gradients.points import gradients_at
@@ -21,6 +21,7 @@ from kinetruss.io import set_values
 from kinetruss.io.values import resolved
 from kinetruss.mechanics import compile
 from kinetruss.model import Model, OptimumLimit, OptimumTask, OptimumVariable, matched, nearest
+from kinetruss.model.optimum import unit_given
 from kinetruss.units import dimension_of
 
 if TYPE_CHECKING:
@@ -166,8 +167,9 @@ class ModelFunction:
                 if name == OBJECTIVE:
                     self.unit = one.unit
                     if one.dims:
-                        raise ModelError([Fault((OBJECTIVE,), f"{text!r} has a value for each {', '.join(one.dims)}.",
-                                                "Take one of them by name, or max(...), sum(...), pnorm(..., 8).")])  # fmt: skip
+                        said = f"{text!r} has a value for each {', '.join(one.dims)}."
+                        mend = "Take one of them by name, or max(...), sum(...), pnorm(..., 8)."
+                        raise ModelError([Fault((OBJECTIVE,), said, mend)])
                     continue
                 own = self.task.limits[name]
                 for side, limit, sign in (("at_most", own.at_most, 1), ("at_least", own.at_least, -1)):
@@ -180,7 +182,9 @@ class ModelFunction:
                         subject = " ".join(filter(None, [name, one.name(k) and f"of {one.name(k)}", case and f"in {case}"]))
                         family = f"{name} {side} {case} {one.part(k)}"
                         rows.append((j, i, k))
-                        limits.append(Limit(subject=subject, family=family, limit=float(limit), size=size, sign=sign, unit=one.unit))
+                        limits.append(
+                            Limit(subject=subject, family=family, limit=float(limit), size=size, sign=sign, unit=one.unit)
+                        )
         if faults:
             raise ModelError(faults)
         self._sign_over_size = np.array([one.sign / one.size for one in limits])
@@ -197,10 +201,11 @@ def _read(name: str, text: str, data: Any, more: Mapping[str, Any]) -> Entries:
 
 
 def _unit_faults(name: str, side: str, limit: float, unit: str, text: str) -> Iterator[Fault]:
-    given = getattr(limit, "quantity", None)
-    given = {"length": "m", "angle": "rad"}.get(given, given)
+    given = unit_given(limit)
     if given is not None and _dimension(given) != _dimension(unit):
-        yield Fault(("limits", name, side), f"is in {given or '1'}, but {text} in {unit or '1'}.", f"Give it in {unit or 'no unit'}.")
+        yield Fault(
+            ("limits", name, side), f"is in {given or '1'}, but {text} in {unit or '1'}.", f"Give it in {unit or 'no unit'}."
+        )
 
 
 def _dimension(unit: str) -> tuple[int, ...]:
@@ -213,7 +218,9 @@ def _analysed(asked: _Asked, system: Any) -> Any:
     try:
         return ANALYSES[_analyses()[asked.analysis]](system, **asked.arguments)
     except TypeError as error:
-        raise ModelError([Fault(("arguments",), f"{asked.analysis} does not take them: {error}.", "See its arguments.")]) from None
+        raise ModelError(
+            [Fault(("arguments",), f"{asked.analysis} does not take them: {error}.", "See its arguments.")]
+        ) from None
 
 
 def _analyses() -> dict[str, Any]:
@@ -230,7 +237,9 @@ def _asked(model: Model, task: OptimumTask) -> list[_Asked]:
         analysis = (one.analysis if one is not None else None) or task.analysis
         arguments = {**task.arguments, **(one.arguments if one is not None else {})}
         if analysis not in _analyses():
-            faults.append(Fault((*place, "analysis"), f"results of {analysis!r} have no gradients.", nearest(analysis, _analyses())))
+            faults.append(
+                Fault((*place, "analysis"), f"results of {analysis!r} have no gradients.", nearest(analysis, _analyses()))
+            )
             return
         if case is not None:
             arguments["load_case"] = case
@@ -266,7 +275,9 @@ def _variables(model: Model, task: OptimumTask) -> tuple[list[list[str]], list[V
             paths.append(own)
             found.append(_variable(model, name, one, own))
         except ModelError as error:
-            faults += [Fault(("variables", name, "of"), f"{fault.where}: {fault.message}", fault.mend) for fault in error.faults]
+            faults += [
+                Fault(("variables", name, "of"), f"{fault.where}: {fault.message}", fault.mend) for fault in error.faults
+            ]
         except InputError as error:
             faults.append(Fault(("variables", name, "of"), str(error), ""))
     if faults:
@@ -282,12 +293,7 @@ def _variable(model: Model, name: str, one: OptimumVariable, own: list[str]) -> 
     values = [_number(model, path) for path in own]
     start = float(one.start) if one.start is not None else float(np.mean(values))
     return Variable(name=name, lower=float(low), upper=float(high), start=float(np.clip(start, low, high)), scale=one.scale,
-                    unit=_unit_of(low))  # fmt: skip
-
-
-def _unit_of(value: float) -> str:
-    given = getattr(value, "quantity", None)
-    return {"length": "m", "angle": "rad"}.get(given, given) or ""
+                    unit=unit_given(low) or "")  # fmt: skip
 
 
 def _number(model: Model, path: str) -> float:

@@ -15,7 +15,7 @@ from kinetruss.design.optimum.certificate import certificate
 from kinetruss.design.optimum.contradictions import contradiction
 from kinetruss.design.optimum.evaluations import FEASIBLE, Evaluations
 from kinetruss.design.optimum.working_limits import ALL, NEAR, Found, optimum
-from kinetruss.design.optimum_folder import OptimumFolder, opened
+from kinetruss.design.optimum_folder import opened
 from kinetruss.design.optimum_result import Optimum, contradiction_words, made
 from kinetruss.design.section_choice import chosen
 from kinetruss.errors import AnalysisError, Fault, InputError, ModelError
@@ -93,7 +93,7 @@ def optimise(
         ])  # fmt: skip
     with nullcontext() if out is None else opened(Path(out), given, task, overwrite=overwrite) as folder:
         asked = Evaluations(function.problem, None if folder is None else folder.evaluations, progress)
-        result = _searched(function, asked, folder, progress, began)
+        result = _searched(function, asked, progress, began)
         if folder is not None:
             folder.finish(result)
     return result
@@ -106,13 +106,13 @@ def _task(variables: Any, objective: str, constraints: Any, options: Mapping[str
         changes = {**options, **({} if constraints is None else {"limits": dict(constraints)})}
         return variables.with_(**changes) if changes else variables
     if not variables:
-        raise InputError("No variables are given. Give for example {'area': {'of': 'bars.*.section.area', 'between': (1e-5, 1e-3)}}.")
+        raise InputError(
+            "No variables are given. Give for example {'area': {'of': 'bars.*.section.area', 'between': (1e-5, 1e-3)}}."
+        )
     return OptimumTask(variables=dict(variables), least=objective, limits=dict(constraints or {}), **options)
 
 
-def _searched(
-    function: ModelFunction, asked: Evaluations, folder: OptimumFolder | None, progress: Any, began: float
-) -> Optimum:
+def _searched(function: ModelFunction, asked: Evaluations, progress: Any, began: float) -> Optimum:
     """The best of all searches, then the choice from lists."""
     task, problem = function.task, function.problem
     listed = any(one.choose is not None for one in task.variables.values())
@@ -144,7 +144,7 @@ def _searched(
     relaxed = asked.values(p)[0]
     proof = None
     if listed and not state:
-        p, proof, told = chosen(function, asked, p, relaxed, progress)
+        p, proof, told = chosen(function, asked, p, progress)
         notes += told
         state = "interrupted" if proof is not None and proof.stopped == "interrupted" else state
     return made(function, asked, p, certificate(asked, p), state=state, notes=notes, proof=proof,
@@ -171,8 +171,8 @@ def _refuse(function: ModelFunction, asked: Evaluations) -> None:
     if not kept:
         found = optimum(asked, nearest, "slsqp", function.task.iterations, function.task.tolerance)
         if found.certificate.feasible:
-            raise AnalysisError("The search lost its way, but limits can be kept. Start it nearer: give start to the variables, "
-                                f"for example {_given(function, nearest)}.")  # fmt: skip
+            at = _given(function, nearest)
+            raise AnalysisError(f"The search lost its way, but limits can be kept. Start it nearer, for example at {at}.")
         raise AnalysisError("The search did not end at a point that keeps all limits. Give other starts, or wider bounds.")
     raise AnalysisError(contradiction_words(function, kept, nearest, worst))
 

@@ -1,9 +1,9 @@
 """The folder of an optimum: its task, every analysis that was computed, and the result at the end.
 
-    OUT/optimum.json        which task this is (`task`, a hash), its state, and the result
-    OUT/evaluations.jsonl   objective, excess and gradients at every point, a line as soon as it is known
-    OUT/given.json          the model as it was given
-    OUT/optimum.yaml        the model with the values found
+OUT/optimum.json        which task this is (`task`, a hash), its state, and the result
+OUT/evaluations.jsonl   objective, excess and gradients at every point, a line as soon as it is known
+OUT/given.json          the model as it was given
+OUT/optimum.yaml        the model with the values found
 """
 
 from __future__ import annotations
@@ -96,8 +96,8 @@ def _check(path: Path, hashed: str, overwrite: bool) -> bool:
         raise InputError(f"{path} is not empty and holds no optimum, so it is never overwritten. Name another folder.")
     same: bool = json.loads((path / STATE).read_text("utf-8"))["task"] == hashed
     if not same and not overwrite:
-        raise InputError(f"{path} holds the search of another model or task. Name another folder, or replace it with --overwrite "
-                         "(overwrite=True).")  # fmt: skip
+        mend = "Name another folder, or replace it with --overwrite (overwrite=True)."
+        raise InputError(f"{path} holds the search of another model or task. {mend}")
     return same
 
 

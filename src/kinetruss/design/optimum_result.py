@@ -15,6 +15,7 @@ from kinetruss.display import Table, number, quantity
 from kinetruss.display.tables import words
 from kinetruss.errors import few
 from kinetruss.model import Model, OptimumTask
+from kinetruss.model.optimum import unit_given
 from kinetruss.model.table import read_only
 from kinetruss.results import provenance
 
@@ -87,27 +88,37 @@ class Optimum:
         if self.certificate.first_order:
             priced = sum(one.price > 0 for one in self.active)
             local = "A local optimum: " if priced >= len(self.values) else "A local optimum to first order: "
-            return (f"{local}no small change within the limits lowers {self.task.least} (residual "
-                    f"{self.certificate.residual:.1e} of its gradient). A better one elsewhere is not excluded.")  # fmt: skip
-        return (f"No optimum is certified: the residual is {self.certificate.residual:.2g} of the gradient of {self.task.least}, more "
-                f"than {FIRST_ORDER:g}. Allow more iterations, a smaller tolerance, or another method.")  # fmt: skip
+            return (
+                f"{local}no small change within the limits lowers {self.task.least} (residual "
+                f"{self.certificate.residual:.1e} of its gradient). A better one elsewhere is not excluded."
+            )
+        return (
+            f"No optimum is certified: the residual is {self.certificate.residual:.2g} of the gradient of {self.task.least}, "
+            f"more than {FIRST_ORDER:g}. Allow more iterations, a smaller tolerance, or another method."
+        )
 
     @property
     def _gap(self) -> str:
         if self.proof is None:
             return "" if self.relaxed is None else self._unproven
         if self.proof.closed:
-            return (f"The best of all choices from the lists, proven by branch and bound ({self.proof.boxes} boxes, "
-                    f"{self.proof.programs} programs in whole numbers, {self.proof.seconds:.1f} s).")  # fmt: skip
-        return (f"The best choice found; branch and bound {self.proof.stopped}: none is below {quantity(self.proof.bound, self.unit)}, a "
-                f"gap of {100 * self.proof.gap:.2g} %.")  # fmt: skip
+            return (
+                f"The best of all choices from the lists, proven by branch and bound ({self.proof.boxes} boxes, "
+                f"{self.proof.programs} programs in whole numbers, {self.proof.seconds:.1f} s)."
+            )
+        return (
+            f"The best choice found; branch and bound {self.proof.stopped}: none is below "
+            f"{quantity(self.proof.bound, self.unit)}, a gap of {100 * self.proof.gap:.2g} %."
+        )
 
     @property
     def _unproven(self) -> str:
         assert self.relaxed is not None  # noqa: S101 - asked only then
         gap = (self.objective - self.relaxed) / self.objective
-        return (f"A choice from the lists that no single step improves; it is not proven. The optimum without lists, a local one, is "
-                f"{100 * gap:.2g} % lower.")  # fmt: skip
+        return (
+            "A choice from the lists that no single step improves; it is not proven. The optimum without lists, a local one, "
+            f"is {100 * gap:.2g} % lower."
+        )
 
     @cached_property
     def record(self) -> dict[str, Any]:
@@ -170,7 +181,9 @@ def _named(problem: Problem, one: Active) -> ActiveLimit:
     if one.row >= 0:
         limit = problem.limits[one.row]
         side = "most" if limit.sign > 0 else "least"
-        return ActiveLimit(name=limit.subject, limit=limit.limit, side=side, unit=limit.unit, price=float(one.multiplier), bound=False)
+        return ActiveLimit(
+            name=limit.subject, limit=limit.limit, side=side, unit=limit.unit, price=float(one.multiplier), bound=False
+        )
     variable = problem.variables[one.variable]
     bound = variable.upper if one.side > 0 else variable.lower
     side = "most" if one.side > 0 else "least"
@@ -202,8 +215,7 @@ def _lines(found: Optimum) -> list[str]:
 
 def _unit(task: OptimumTask, name: str) -> str:
     one = task.variables[name]
-    given = getattr((one.between or one.choose or (0.0,))[0], "quantity", None)
-    return {"length": "m", "angle": "rad"}.get(given, given) or ""
+    return unit_given((one.between or one.choose or (0.0,))[0]) or ""
 
 
 def contradiction_words(function: ModelFunction, kept: Sequence[int], nearest: Any, worst: float) -> str:
@@ -212,6 +224,10 @@ def contradiction_words(function: ModelFunction, kept: Sequence[int], nearest: A
     names = [f"{one.subject} at {'most' if one.sign > 0 else 'least'} {quantity(one.limit, one.unit)}" for one in
              (problem.limits[row] for row in kept)]  # fmt: skip
     at = few([f"{one.name} {number(float(value))}" for one, value in zip(problem.variables, nearest, strict=True)], 6)
-    which = f"{names[0]} cannot be kept" if len(names) == 1 else f"These {len(names)} limits exclude each other: {'; '.join(names)}"
-    return (f"No design within the bounds keeps all limits, as far as a search shows. {which}. The nearest design, {at}, exceeds by "
-            f"{100 * worst:.3g} %. Widen the bounds of the variables, or the limits.")  # fmt: skip
+    which = (
+        f"{names[0]} cannot be kept" if len(names) == 1 else f"These {len(names)} limits exclude each other: {'; '.join(names)}"
+    )
+    return (
+        f"No design within the bounds keeps all limits, as far as a search shows. {which}. The nearest design, {at}, exceeds "
+        f"by {100 * worst:.3g} %. Widen the bounds of the variables, or the limits."
+    )

@@ -1,4 +1,4 @@
-"""The last step of an optimum: values from lists. Rounded up and improved step by step; of a truss proven by branch and bound."""
+"""The last step of an optimum: values from lists, improved step by step; those of a truss are proven by branch and bound."""
 
 from __future__ import annotations
 
@@ -26,7 +26,7 @@ AGREES = 1e-6
 
 
 def chosen(
-    function: ModelFunction, asked: Evaluations, p: NDArray[np.float64], relaxed: float, told: Any
+    function: ModelFunction, asked: Evaluations, p: NDArray[np.float64], told: Any
 ) -> tuple[NDArray[np.float64], Proof | None, list[str]]:
     """Values from the lists near the optimum p without them, the proof if there is one, and remarks.
 
@@ -46,14 +46,18 @@ def chosen(
         value, excess = asked.values(np.array([one[k] for one, k in zip(lists, choice, strict=True)]))
         return value, float(excess.max(initial=0.0))
 
-    start = tuple(min(int(np.searchsorted(one, value * (1 - FEASIBLE))), len(one) - 1) for one, value in zip(lists, p, strict=True))
+    start = tuple(
+        min(int(np.searchsorted(one, value * (1 - FEASIBLE))), len(one) - 1) for one, value in zip(lists, p, strict=True)
+    )
     best = improved(judged, start, [len(one) for one in lists], KEPT if task is not None else FEASIBLE)
     proof = None
     if task is not None:
         proof = lightest(task, None if best is None else np.array(best), function.task.seconds, _progress(told))
         best = None if proof.choice is None else tuple(proof.choice.tolist())
         if best is None and proof.closed:
-            raise AnalysisError("No choice from the lists keeps all limits; this is proven. Add larger values, or widen the limits.")
+            raise AnalysisError(
+                "No choice from the lists keeps all limits; this is proven. Add larger values, or widen the limits."
+            )
     else:
         notes.append(f"The choice is not proven: {why}.")
     if best is None:
@@ -90,7 +94,11 @@ def improved(
             continue
         here = min(better, key=lambda one: at(one)[1])
     single = [{k: step} for k in range(len(here)) for step in (-1, -2, 1)]
-    double = [{k: a, j: b} for k, j in itertools.combinations(range(len(here)), 2) for a, b in ((-1, -1), (-1, 1), (1, -1), (-2, 1), (1, -2))]
+    double = [
+        {k: a, j: b}
+        for k, j in itertools.combinations(range(len(here)), 2)
+        for a, b in ((-1, -1), (-1, 1), (1, -1), (-2, 1), (1, -2))
+    ]
     moving = True
     while moving:
         moving = False
@@ -143,14 +151,25 @@ def section_task(function: ModelFunction, lists: Sequence[NDArray[np.float64]]) 
     pull, push, measures, low, high = limits
     stretch = flexible * most[group]
     task = SectionTask(
-        directions=directions, stretch=stretch, loads=loads, group=group, areas=lists,
-        costs=[a * one + rest for a, one in zip(slope, lists, strict=True)], pull=pull, push=push, measures=measures, least=low, most=high,
-    )  # fmt: skip
+        directions=directions,
+        stretch=stretch,
+        loads=loads,
+        group=group,
+        areas=lists,
+        costs=[a * one + rest for a, one in zip(slope, lists, strict=True)],
+        pull=pull,
+        push=push,
+        measures=measures,
+        least=low,
+        most=high,
+    )
     for share in (1.0, 0.4):
         choice = np.array([int(share * (len(one) - 1)) for one in lists])
         p = np.array([one[k] for one, k in zip(lists, choice, strict=True)])
         value, excess = function.values(p, None)
-        if abs(task.used(choice) - 1 - excess.max()) > AGREES * (1 + abs(excess.max())) or abs(task.cost(choice) - value) > AGREES * abs(value):
+        if abs(task.used(choice) - 1 - excess.max()) > AGREES * (1 + abs(excess.max())) or abs(
+            task.cost(choice) - value
+        ) > AGREES * abs(value):
             return None, "its limits are not those of a truss of bars alone"
     return task, ""
 
@@ -193,9 +212,14 @@ def _groups(function: ModelFunction, lists: Sequence[NDArray[np.float64]], flexi
 
 
 def _limits(
-    function: ModelFunction, p: NDArray[np.float64], directions: NDArray[np.float64], at: NDArray[np.int64], cases: Sequence[Any],
-    lists: Sequence[NDArray[np.float64]], group: NDArray[np.int64],
-) -> Any:  # fmt: skip
+    function: ModelFunction,
+    p: NDArray[np.float64],
+    directions: NDArray[np.float64],
+    at: NDArray[np.int64],
+    cases: Sequence[Any],
+    lists: Sequence[NDArray[np.float64]],
+    group: NDArray[np.int64],
+) -> Any:
     """Forces allowed of each bar by section, and displacements with limits; or why a limit is none of them."""
     m = len(directions)
     inf = np.inf
@@ -211,7 +235,7 @@ def _limits(
             seeds = one.seeds(k)
             if len(seeds) != 1:
                 return f"the limit {name!r} is no stress, force or displacement"
-            (variable, weight), = seeds.items()
+            ((variable, weight),) = seeds.items()
             flat = weight.reshape(-1)
             if variable == "displacement":
                 moved = np.zeros((flat.size // weight.shape[-1], 3))

@@ -41,8 +41,10 @@ class VibrationPoint:
     def __init__(self, system: System, modes: int = 3) -> None:
         model = system.given
         if model.loads or model.gravity is not None:
-            raise InputError("Frequencies have gradients only without loads and gravity, which would stiffen or soften the bars. "
-                             "Set gravity to null and leave the loads out.")  # fmt: skip
+            raise InputError(
+                "Frequencies have gradients only without loads and gravity, which would stiffen or soften them. Set gravity "
+                "to null and leave the loads out."
+            )
         self.system, self.modes = system, int(modes)
         K, M = self._matrices(system)
         if not 1 <= self.modes <= len(K):
@@ -51,7 +53,9 @@ class VibrationPoint:
         self.square, self.shape = square[: self.modes], shape[:, : self.modes]
         n = len(K)
         self.unknown = np.concatenate([np.append(self.shape[:, k], self.square[k]) for k in range(self.modes)])
-        self.size = np.concatenate([np.append(np.full(n, np.abs(self.shape[:, k]).max()), self.square[k]) for k in range(self.modes)])
+        self.size = np.concatenate(
+            [np.append(np.full(n, np.abs(self.shape[:, k]).max()), self.square[k]) for k in range(self.modes)]
+        )
         node = np.repeat(sites(system)["node"], 3)[stiff_rows(system).free]
         self.at = np.tile(np.append(node, -1), self.modes).astype(np.int64)
         self.row = self.at
@@ -61,7 +65,9 @@ class VibrationPoint:
         held, x = stiff_rows(system), system.x0
         soft = flexibility(held, x)
         if not (np.isfinite(soft).all() and (soft > 0).all() and (held.row_kind == 0).all()):
-            raise InputError("Frequencies have gradients only of structures of elastic bars, with a section and a material each.")
+            raise InputError(
+                "Frequencies have gradients only of structures of elastic bars, with a section and a material each."
+            )
         G = constraint_jacobian(held, x)[:, held.free]
         K = np.asarray((G.T @ diags_array(1.0 / soft) @ G).toarray())
         return K, mass_matrix(system, x)[held.free][:, held.free].toarray()

@@ -30,13 +30,21 @@ def _plain(value: Any) -> Any:
     return float(value) if isinstance(value, str) and NUMBER.fullmatch(value) else value
 
 
+def unit_given(value: float) -> str | None:
+    """SI unit of the text that a measure was given as; None of a bare number."""
+    quantity = getattr(value, "quantity", None)
+    return {"length": "m", "angle": "rad"}.get(quantity, quantity) if isinstance(quantity, str) else None
+
+
 Arguments = Annotated[dict[str, Any], BeforeValidator(_plain)]
 """Arguments of an analysis by name."""
 
 
 def _format(value: Any) -> Any:
     if value not in (FORMAT, str(FORMAT)) or isinstance(value, bool):
-        raise ValueError(f"format {shown(value)} of an optimum is not known here. This release reads kinetruss_optimum: {FORMAT}.")
+        raise ValueError(
+            f"format {shown(value)} of an optimum is not known here. This release reads kinetruss_optimum: {FORMAT}."
+        )
     return FORMAT
 
 
@@ -63,7 +71,7 @@ class OptimumVariable(Record):
     @model_validator(mode="after")
     def _sound(self) -> OptimumVariable:
         if (self.between is None) == (self.choose is None):
-            raise ValueError("has neither bounds nor a list to choose from, or both. Give between: [least, largest], or choose: [...].")
+            raise ValueError("needs bounds or a list, one of them. Give between: [least, largest], or choose: [...].")
         low, high = self.between if self.between is not None else (min(self.choose or ()), max(self.choose or ()))
         if self.between is not None and not low < high:
             raise ValueError(f"between: {low:g} is not less than {high:g}. Give the least value first.")
@@ -106,8 +114,8 @@ class OptimumTask(Record):
 
     least : the response that is made small, as ``mass`` or ``max(abs(drive_force))``. variables, limits : by name.
     model : the model file, beside this one; from Python a model is given.
-    analysis : ``statics.linear``, ...; arguments : of it; load_cases : for all limits that name none; by default the loads of the
-        model as they are.
+    analysis : ``statics.linear``, ...; arguments : of it; load_cases : for all limits that name none; by default the loads of
+        the model as they are.
     method : slsqp, trust-constr, mma (needs NLopt), highs (for what is linear). iterations : at most, of one search.
     tolerance : relative, of the objective, at which a search ends.
     starts : searches from so many places; the first from the start, the others at random (`seed`); the best is kept.

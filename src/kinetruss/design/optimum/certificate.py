@@ -85,13 +85,14 @@ def certificate(asked: Evaluations, p: NDArray[np.float64]) -> Certificate:
     residual = float(np.linalg.norm(slope_f + columns @ multiplier)) / size
     by_bound = problem.slope(p)
     found = [
-        Active(row=int(row), multiplier=m / problem.limits[row].size, left=float(-excess[row]))
-        for row, m in zip(rows, multiplier, strict=False)
+        Active(row=row, multiplier=float(m) / problem.limits[row].size, left=float(-excess[row]))
+        for row, m in zip(rows.tolist(), multiplier, strict=False)
     ]
-    for variable, side, m in zip(
-        [*low, *high], [-1] * len(low) + [1] * len(high), multiplier[len(rows) :], strict=True
-    ):
-        found.append(Active(variable=int(variable), side=side, multiplier=m / by_bound[variable]))
+    sides = [*((k, -1) for k in low.tolist()), *((k, 1) for k in high.tolist())]
+    found += [
+        Active(variable=k, side=side, multiplier=float(m) / by_bound[k])
+        for (k, side), m in zip(sides, multiplier[len(rows) :], strict=True)
+    ]
     weight = {id(one): m for one, m in zip(found, multiplier, strict=True)}
     found.sort(key=lambda one: -weight[id(one)])
     lost = float(np.max(multiplier[: len(rows)] * np.abs(excess[rows]), initial=0.0))

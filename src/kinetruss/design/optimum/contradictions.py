@@ -2,8 +2,8 @@
 
 The least largest excess of a set of limits is a problem of its own, with one more variable; a set contradicts itself if that
 stays above zero. A filter that leaves out one limit after the other, and takes back those without which the rest can be kept,
-ends with an irreducible set (Chinneck and Dravnieks, ORSA J. Computing 3 (1991) 157). Beyond linear problems each answer is that
-of a local search.
+ends with an irreducible set (Chinneck and Dravnieks, ORSA J. Computing 3 (1991) 157). Beyond linear problems each answer is
+that of a local search.
 """
 
 from __future__ import annotations

@@ -1,4 +1,4 @@
-"""Every point is computed once: values are remembered, also in a file, from which a killed search goes on as if it had not been.
+"""Every point is computed once: values are remembered, also in a file, from which a killed search goes on as if never stopped.
 
 The search is deterministic. It begins anew, and what the file knows is not computed again; so it reaches the place where it was
 stopped, to the last bit, without any state of the solvers.
@@ -56,9 +56,7 @@ class Evaluations:
         self._seen: set[bytes] = set()
         self._stored = _stored(file) if file is not None else {}
 
-    def values(
-        self, p: NDArray[np.float64], rows: NDArray[np.int64] | None = None
-    ) -> tuple[float, NDArray[np.float64]]:
+    def values(self, p: NDArray[np.float64], rows: NDArray[np.int64] | None = None) -> tuple[float, NDArray[np.float64]]:
         """Objective, and excess of some limits, or of all."""
         objective, excess = self._asked("v", p, rows, self.problem.function.values)
         self._noted(p, float(objective), excess, whole=rows is None or len(rows) == len(self.problem.limits))

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass, field
 from functools import cached_property
-from typing import TYPE_CHECKING, Literal, Protocol
+from typing import TYPE_CHECKING, Any, Literal, Protocol
 
 import numpy as np
 
@@ -104,18 +104,18 @@ class Problem:
         low, high = self._seen(self.lower), self._seen(self.upper)
         seen = low + np.clip(z, 0.0, 1.0) * (high - low)
         found = np.array([_BACK[v.scale](one) for v, one in zip(self.variables, seen, strict=True)])
-        return np.clip(found, self.lower, self.upper)
+        return np.asarray(np.clip(found, self.lower, self.upper))
 
     def slope(self, p: NDArray[np.float64]) -> NDArray[np.float64]:
         """dp/dz (n,)."""
         span = self._seen(self.upper) - self._seen(self.lower)
-        return span * np.array([_SLOPE[v.scale](one) for v, one in zip(self.variables, p, strict=True)])
+        return np.asarray(span * np.array([_SLOPE[v.scale](one) for v, one in zip(self.variables, p, strict=True)]))
 
     def _seen(self, p: NDArray[np.float64]) -> NDArray[np.float64]:
         return np.array([_SEEN[v.scale](one) for v, one in zip(self.variables, p, strict=True)])
 
 
-_SEEN = {"range": lambda p: p, "log": np.log, "inverse": lambda p: -1.0 / p}
-_BACK = {"range": lambda s: s, "log": np.exp, "inverse": lambda s: -1.0 / s}
-_SLOPE = {"range": lambda _: 1.0, "log": lambda p: p, "inverse": lambda p: p * p}
+_SEEN: dict[str, Any] = {"range": lambda p: p, "log": np.log, "inverse": lambda p: -1.0 / p}
+_BACK: dict[str, Any] = {"range": lambda s: s, "log": np.exp, "inverse": lambda s: -1.0 / s}
+_SLOPE: dict[str, Any] = {"range": lambda _: 1.0, "log": lambda p: p, "inverse": lambda p: p * p}
 """dp/ds of the number s that the solver sees."""

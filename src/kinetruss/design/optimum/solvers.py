@@ -110,7 +110,9 @@ def _mma(scaled: Scaled, z: NDArray[np.float64], iterations: int, tolerance: flo
     return np.clip(found, 0.0, 1.0), f"NLopt ended with {solver.last_optimize_result()}"
 
 
-def _linear_programs(scaled: Scaled, z: NDArray[np.float64], iterations: int, tolerance: float) -> tuple[NDArray[np.float64], str]:
+def _linear_programs(
+    scaled: Scaled, z: NDArray[np.float64], iterations: int, tolerance: float
+) -> tuple[NDArray[np.float64], str]:
     """Steps to the optimum of the linearised problem within a region of trust (Fletcher and Sainz de la Maza, Math. Program. 43
     (1989) 235). A linear problem is solved by its first step, wherever it starts.
     """

@@ -5,9 +5,9 @@ reciprocal areas y of the sections chosen: elongations f y l/E, their compatibil
 forces. In a box of r the products f y are bounded by their planes (McCormick, Math. Program. 10 (1976) 147), which close as the
 box shrinks; the choice of sections is a linear program with whole numbers (after Rasmussen and Stolpe, Struct. Multidiscip.
 Optim. 35 (2008) 517, who bound the products by displacements). So for every box there is a lower bound of the mass: boxes above
-the best design known are dropped, sections whose reduced cost is above it too, the others halved, and small ones solved in whole
-numbers (HiGHS). What is left when no box is left is the lightest of all combinations: a truss of two redundants under one load
-case takes seconds; the boxes have as many dimensions as redundants times load cases.
+the best design known are dropped, sections whose reduced cost is above it too, the others halved, and small ones solved in
+whole numbers (HiGHS). What is known when no box is left is the lightest of all combinations. Two redundants under one load
+case take seconds; the boxes have as many dimensions as redundants times load cases.
 """
 
 from __future__ import annotations
@@ -85,10 +85,10 @@ class SectionTask:
         particular = np.linalg.lstsq(self.directions.T, self.loads.T, rcond=None)[0].T
         kernel = null_space(self.directions.T)
         if kernel.shape[1] == 0:
-            return particular, kernel
+            return np.asarray(particular), np.asarray(kernel)
         chosen = np.sort(qr(kernel.T, pivoting=True)[2][: kernel.shape[1]])
         basis = kernel @ np.linalg.inv(kernel[chosen])
-        return particular - particular[:, chosen] @ basis.T, basis
+        return np.asarray(particular - particular[:, chosen] @ basis.T), np.asarray(basis)
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)

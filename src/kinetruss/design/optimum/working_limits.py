@@ -1,8 +1,8 @@
 """The search with few limits of very many: instants, places and members that matter, taken in as they are reached.
 
-A limit over 50,000 instants is 50,000 rows, of which an optimum reaches a handful. The search sees a working set; at its end all
-rows are computed once, and those that are exceeded join, until none is (Haftka and Gurdal 1992, section 7.3; an exchange method,
-Hettich and Kortanek, SIAM Review 35 (1993) 380).
+A limit over 50,000 instants is 50,000 rows, of which an optimum reaches a handful. The search sees a working set; at its end
+all rows are computed once, and those that are exceeded join, until none is (an exchange method: Hettich and Kortanek, SIAM
+Review 35 (1993) 380).
 """
 
 from __future__ import annotations
@@ -28,13 +28,12 @@ ROUNDS = 30
 
 @dataclass(frozen=True, kw_only=True)
 class Found:
-    """Where a search ended. p (n,); rows : the working set at the end; said : by the solver; rounds : searches."""
+    """Where a search ended. p (n,); rows : the working set at the end; said : by the solver."""
 
     p: NDArray[np.float64]
     certificate: Certificate
     rows: NDArray[np.int64]
     said: str
-    rounds: int
 
 
 def optimum(asked: Evaluations, start: NDArray[np.float64], method: Method, iterations: int, tolerance: float) -> Found:
@@ -46,7 +45,7 @@ def optimum(asked: Evaluations, start: NDArray[np.float64], method: Method, iter
     z = problem.scaled(start)
     count = len(problem.limits)
     rows = np.arange(count) if count <= ALL else worst_of_families(asked.values(problem.real(z))[1], problem.families, NEAR)
-    for rounds in range(1, ROUNDS + 1):
+    for _ in range(ROUNDS):
         z, said = search(asked, rows, z, method, iterations, tolerance)
         excess = asked.values(problem.real(z))[1]
         more = np.setdiff1d(worst_of_families(excess, problem.families, -FEASIBLE), rows)
@@ -57,4 +56,4 @@ def optimum(asked: Evaluations, start: NDArray[np.float64], method: Method, iter
             break
         method = "slsqp"
     proof = certificate(asked, problem.real(z))
-    return Found(p=problem.real(z), certificate=proof, rows=rows, said=said, rounds=rounds)
+    return Found(p=problem.real(z), certificate=proof, rows=rows, said=said)
