@@ -90,10 +90,10 @@ class Optimum:
             local = "A local optimum: " if priced >= len(self.values) else "A local optimum to first order: "
             return (
                 f"{local}no small change within the limits lowers {self.task.least} (residual "
-                f"{self.certificate.residual:.1e} of its gradient). A better one elsewhere is not excluded."
+                f"{self.certificate.residual:.1e}). A better one elsewhere is not excluded."
             )
         return (
-            f"No optimum is certified: the residual is {self.certificate.residual:.2g} of the gradient of {self.task.least}, "
+            f"No optimum is certified: the residual is {self.certificate.residual:.2g}, "
             f"more than {FIRST_ORDER:g}. Allow more iterations, a smaller tolerance, or another method."
         )
 

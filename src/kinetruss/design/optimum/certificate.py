@@ -24,7 +24,7 @@ REACHED = 1e-4
 OF_A_FAMILY = 8
 """At most so many rows of a family are looked at: neighbouring instants say the same."""
 FIRST_ORDER = 1e-3
-"""Largest residual, of the gradient of the objective, at which the conditions count as fulfilled."""
+"""Largest residual at which the conditions count as fulfilled."""
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -45,7 +45,7 @@ class Active:
 class Certificate:
     """What is proven of a point.
 
-    residual : |grad f + sum m grad g|/|grad f| in the scaled variables. excess : the largest of all limits, of their sizes.
+    residual : |grad f + sum m grad g| in variables that go from 0 to 1, of |grad f| or of |f|, the larger. excess : the largest of all limits, of their sizes.
     complementarity : the largest m |g|/f. active : limits and bounds reached, the dearest first. first_order : whether the
     conditions hold. vertex : as many limits with a multiplier as variables; then no small change can be better.
     """
@@ -76,7 +76,7 @@ def certificate(asked: Evaluations, p: NDArray[np.float64]) -> Certificate:
     low, high = np.flatnonzero(z < REACHED**2), np.flatnonzero(z > 1 - REACHED**2)
     identity = np.eye(len(problem))
     columns = np.concatenate([slope_g, -identity[low], identity[high]]).T
-    size = float(np.linalg.norm(slope_f)) or 1.0
+    size = max(float(np.linalg.norm(slope_f)), abs(objective)) or 1.0
     length = np.linalg.norm(columns, axis=0)
     length[length == 0] = 1.0
     multiplier = np.zeros(columns.shape[1])
