@@ -2,13 +2,15 @@
 
 from __future__ import annotations
 
+from collections import ChainMap
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from kinetruss.design.optimum.problem import Limit, Problem, Variable
+from kinetruss.design.limit_rows import Block, LimitRows
+from kinetruss.design.optimum.problem import Problem, Variable
 from kinetruss.design.own_limits import NAMES, beside, slopes
 from kinetruss.design.vibration_point import VibrationPoint
 from kinetruss.errors import Fault, InputError, ModelError, few
@@ -32,6 +34,10 @@ ANALYSES = {**POINTS, frequencies: VibrationPoint}
 """Analyses whose results have gradients."""
 STEP = 1e-3
 """Of differences of what a member bears, as a share of a variable or its range."""
+AT_ONCE = 20_000_000
+"""Numbers of the seeds of responses that are differentiated together."""
+AMPERE = 3
+"""Its place in a dimension."""
 STILL = 1e-12
 """A change of a value below this, of itself, is none."""
 
@@ -58,8 +64,11 @@ class ModelFunction:
         self.asked = _asked(model, task)
         self._last: tuple[bytes, list[list[Entries]]] | None = None
         start = np.array([one.start for one in variables])
-        self.row_at, limits = self._rows(self._entries(start))
-        self.problem = Problem(variables=variables, limits=limits, function=self, objective=task.least, unit=self.unit)
+        self.limits = self._rows(self._entries(start))
+        self.problem = Problem(
+            variables=variables, limits=self.limits, function=self, objective=task.least, unit=self.unit,
+            families=self.limits.families,
+        )  # fmt: skip
 
     def model_at(self, p: NDArray[np.float64]) -> Model:
         """The model with these values of the variables."""
@@ -68,7 +77,7 @@ class ModelFunction:
     def values(self, p: NDArray[np.float64], rows: NDArray[np.int64] | None) -> tuple[float, NDArray[np.float64]]:
         """Objective, and excess of limits."""
         found = self._entries(p)
-        return self._objective(found), self._excess(found)[slice(None) if rows is None else rows]
+        return self._objective(found), self.limits.excess(found)[slice(None) if rows is None else rows]
 
     def gradients(self, p: NDArray[np.float64], rows: NDArray[np.int64]) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
         """Derivatives of both by the variables, in SI."""
@@ -78,24 +87,25 @@ class ModelFunction:
         for j, asked in enumerate(self.asked):
             point = _analysed(asked, by.system)
             data = point.data()
-            more = beside(by.model, data)
-            read = [read_entries(text, data, more) for _, text in asked.texts]
+            read = [read_entries(text, data, _more(point, by.model, data)) for _, text in asked.texts]
             # both sides of a limit have the gradient of one entry
             wanted: dict[tuple[int, int], list[int]] = {}
             wanted |= {(i, 0): [] for i, (name, _) in enumerate(asked.texts) if name == OBJECTIVE}
             for place, row in enumerate(rows.tolist()):
-                analysis, text, entry = self.row_at[row]
-                if analysis == j:
-                    wanted.setdefault((text, entry), []).append(place)
+                block, k = self.limits.place(row)
+                if block.analysis == j:
+                    wanted.setdefault((block.text, int(block.kept[k])), []).append(place)
             if not wanted:
                 continue
-            seeds = [read[text].seeds(entry) for text, entry in wanted]
-            for ((text, _), places), found in zip(wanted.items(), self._slopes(p, point, by, data, seeds), strict=True):
-                if asked.texts[text][0] == OBJECTIVE:
-                    of_objective = found
-                for place in places:
-                    limit = self.problem.limits[rows[place]]
-                    slope[place] = found * limit.sign / limit.size
+            most = max(1, AT_ONCE // max(read[text].values.size for text, _ in wanted))
+            every = list(wanted.items())
+            for some in (every[k : k + most] for k in range(0, len(every), most)):
+                seeds = [read[text].seeds(entry) for (text, entry), _ in some]
+                for ((text, _), places), found in zip(some, self._slopes(p, point, by, data, seeds), strict=True):
+                    if asked.texts[text][0] == OBJECTIVE:
+                        of_objective = found
+                    for place in places:
+                        slope[place] = found * self.limits.sign_over_size[rows[place]]
         return of_objective, slope
 
     def _slopes(self, p: NDArray[np.float64], point: Any, by: Any, data: Any, seeds: Sequence[Mapping[str, Any]]) -> Any:
@@ -103,7 +113,8 @@ class ModelFunction:
         own = [{name: one for name, one in seed.items() if name not in NAMES} for seed in seeds]
         found = np.zeros((len(seeds), len(p)))
         if some := [k for k, seed in enumerate(own) if seed]:
-            found[some] = gradients_at(point, by, [own[k] for k in some])
+            chosen = [own[k] for k in some]
+            found[some] = point.gradients(by, chosen) if hasattr(point, "gradients") else gradients_at(point, by, chosen)
         if any(name in seed for seed in seeds for name in NAMES):
             variables = self.problem.variables
             step = STEP * np.array([abs(at) or one.upper - one.lower for at, one in zip(p, variables, strict=True)])
@@ -123,12 +134,12 @@ class ModelFunction:
     def idle(self, p: NDArray[np.float64]) -> list[str]:
         """The variables that change neither objective nor any limit."""
         here = self._entries(p)
-        before, left = np.append(self._excess(here), self._objective(here)), []
+        before, left = np.append(self.limits.excess(here), self._objective(here)), []
         for k, one in enumerate(self.problem.variables):
             moved = p.copy()
             moved[k] += 0.01 * (one.upper - one.lower) * (1 if p[k] < 0.5 * (one.lower + one.upper) else -1)
             there = self._entries(moved)
-            after = np.append(self._excess(there), self._objective(there))
+            after = np.append(self.limits.excess(there), self._objective(there))
             if np.all(np.abs(after - before) <= STILL * np.maximum(np.abs(before), 1e-3 * np.abs(before).max())):
                 left.append(one.name)
         return left
@@ -139,8 +150,9 @@ class ModelFunction:
             model = self.model_at(p)
             system, found = compile(model), []
             for asked in self.asked:
-                data = _analysed(asked, system).data()
-                more = beside(model, data)
+                point = _analysed(asked, system)
+                data = point.data()
+                more = _more(point, model, data)
                 found.append([_read(name, text, data, more) for name, text in asked.texts])
             self._last = (key, found)
         return self._last[1]
@@ -152,15 +164,8 @@ class ModelFunction:
                     return float(one.values)
         raise AssertionError
 
-    def _excess(self, found: list[list[Entries]]) -> NDArray[np.float64]:
-        values = np.concatenate([np.zeros(0), *(found[a][t].values.reshape(-1)[k] for a, t, k in self._blocks)])
-        return np.asarray((values - self._limit) * self._sign_over_size)
-
-    def _rows(self, found: list[list[Entries]]) -> tuple[list[tuple[int, int, int]], list[Limit]]:
-        rows: list[tuple[int, int, int]] = []
-        limits: list[Limit] = []
-        self._blocks: list[tuple[int, int, NDArray[np.int64]]] = []
-        faults: list[Fault] = []
+    def _rows(self, found: list[list[Entries]]) -> LimitRows:
+        blocks, faults = [], []
         for j, (asked, read) in enumerate(zip(self.asked, found, strict=True)):
             case = asked.arguments.get("load_case")
             for i, ((name, text), one) in enumerate(zip(asked.texts, read, strict=True)):
@@ -171,25 +176,25 @@ class ModelFunction:
                         mend = "Take one of them by name, or max(...), sum(...), pnorm(..., 8)."
                         raise ModelError([Fault((OBJECTIVE,), said, mend)])
                     continue
-                own = self.task.limits[name]
+                own, kept = self.task.limits[name], np.flatnonzero(~np.isnan(one.values.reshape(-1)))
+                if not len(kept):
+                    faults.append(Fault(("limits", name, "of"), f"{text!r} has no value that is known.", "See what it needs."))
                 for side, limit, sign in (("at_most", own.at_most, 1), ("at_least", own.at_least, -1)):
-                    if limit is None:
+                    if limit is None or not len(kept):
                         continue
                     faults += _unit_faults(name, side, limit, one.unit, text)
-                    size = abs(float(limit)) or float(np.abs(one.values).max(initial=0.0)) or 1.0
-                    self._blocks.append((j, i, np.arange(one.values.size)))
-                    for k in range(one.values.size):
-                        subject = " ".join(filter(None, [name, one.name(k) and f"of {one.name(k)}", case and f"in {case}"]))
-                        family = f"{name} {side} {case} {one.part(k)}"
-                        rows.append((j, i, k))
-                        limits.append(
-                            Limit(subject=subject, family=family, limit=float(limit), size=size, sign=sign, unit=one.unit)
-                        )
+                    size = abs(float(limit)) or float(np.nanmax(np.abs(one.values))) or 1.0
+                    which = {"name": name, "case": case, "analysis": j, "text": i, "of": one, "kept": kept}
+                    blocks.append(Block(**which, limit=float(limit), size=size, sign=sign, unit=unit_given(limit) or one.unit))
         if faults:
             raise ModelError(faults)
-        self._sign_over_size = np.array([one.sign / one.size for one in limits])
-        self._limit = np.array([one.limit for one in limits])
-        return rows, limits
+        return LimitRows(blocks)
+
+
+def _more(point: Any, model: Model, data: Any) -> Mapping[str, Any]:
+    """The variables beside those of the data of an analysis: its own, and what members bear."""
+    own: Any = getattr(point, "more", {})
+    return ChainMap(own, beside(model, data))
 
 
 def _read(name: str, text: str, data: Any, more: Mapping[str, Any]) -> Entries:
@@ -209,8 +214,9 @@ def _unit_faults(name: str, side: str, limit: float, unit: str, text: str) -> It
 
 
 def _dimension(unit: str) -> tuple[int, ...]:
-    """Exponents of a unit, also of one as ``1/s``."""
-    return tuple(-one for one in dimension_of(unit[2:])) if unit.startswith("1/") else dimension_of(unit)
+    """Exponents of kg, m, s and rad in a unit, also of one as ``1/s``; responses do not tell amperes."""
+    sign, found = (-1, dimension_of(unit[2:])) if unit.startswith("1/") else (1, dimension_of(unit))
+    return tuple(sign * one for i, one in enumerate(found) if i != AMPERE)
 
 
 def _analysed(asked: _Asked, system: Any) -> Any:

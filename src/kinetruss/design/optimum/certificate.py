@@ -70,7 +70,7 @@ def certificate(asked: Evaluations, p: NDArray[np.float64]) -> Certificate:
     """The Kuhn-Tucker conditions at a point p (n,)."""
     problem = asked.problem
     objective, excess = asked.values(p)
-    rows = worst_of_families(excess, problem.families, REACHED)
+    rows = worst_of_families(excess, problem.family, REACHED)
     slope_f, slope_g = asked.gradients(p, rows)
     z = problem.scaled(p)
     low, high = np.flatnonzero(z < REACHED**2), np.flatnonzero(z > 1 - REACHED**2)

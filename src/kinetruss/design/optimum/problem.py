@@ -62,11 +62,12 @@ class Function(Protocol):
 
 @dataclass(frozen=True, kw_only=True)
 class Problem:
-    """Variables (n), limits (m), and the function of both. objective, unit : what is made small, in words."""
+    """Variables (n), limits (m), and the function of both. families : see `family`; objective, unit : what is made small, in words."""
 
     variables: Sequence[Variable]
     limits: Sequence[Limit]
     function: Function = field(repr=False)
+    families: NDArray[np.int64] | None = field(default=None, repr=False)
     objective: str = "objective"
     unit: str = ""
 
@@ -89,8 +90,10 @@ class Problem:
         return np.array([one.start for one in self.variables], float)
 
     @cached_property
-    def families(self) -> NDArray[np.int64]:
+    def family(self) -> NDArray[np.int64]:
         """(m,): number of the family of each limit."""
+        if self.families is not None:
+            return self.families
         known: dict[str, int] = {}
         return np.array([known.setdefault(one.family, len(known)) for one in self.limits], np.int64)
 

@@ -44,11 +44,11 @@ def optimum(asked: Evaluations, start: NDArray[np.float64], method: Method, iter
     problem = asked.problem
     z = problem.scaled(start)
     count = len(problem.limits)
-    rows = np.arange(count) if count <= ALL else worst_of_families(asked.values(problem.real(z))[1], problem.families, NEAR)
+    rows = np.arange(count) if count <= ALL else worst_of_families(asked.values(problem.real(z))[1], problem.family, NEAR)
     for _ in range(ROUNDS):
         z, said = search(asked, rows, z, method, iterations, tolerance)
         excess = asked.values(problem.real(z))[1]
-        more = np.setdiff1d(worst_of_families(excess, problem.families, -FEASIBLE), rows)
+        more = np.setdiff1d(worst_of_families(excess, problem.family, -FEASIBLE), rows)
         if len(more):
             rows = np.union1d(rows, more)
             continue
