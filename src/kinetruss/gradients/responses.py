@@ -403,6 +403,7 @@ def _instant(a: _Value, t: float | None, name: str, own: str, at: _Data) -> _Val
     if TIME not in a.dims:
         raise ExpressionError(f"{own!r} has no instants.", "Leave the instant out.")
     k, times = a.dims.index(TIME), np.asarray(at.labels[TIME], float)
+    slope = np.zeros_like(times)
     if t is None:
         j, share = (0, 0.0) if name == "first" else (len(times) - 1, 0.0)
     elif not times[0] <= t <= times[-1]:
@@ -410,6 +411,8 @@ def _instant(a: _Value, t: float | None, name: str, own: str, at: _Data) -> _Val
     else:
         j = min(int(np.searchsorted(times, t, side="right")) - 1, max(len(times) - 2, 0))
         share = (t - times[j]) / (times[j + 1] - times[j]) if len(times) > 1 else 0.0
+        if len(times) > 1:  # of the share, where samples move
+            slope[[j, j + 1]] = np.array([share - 1.0, -share]) / (times[j + 1] - times[j])
     parts = [(j, 1.0 - share), *([(j + 1, share)] if share else [])]
     found = sum(weight * np.take(a.array, row, axis=k) for row, weight in parts)
 
@@ -418,6 +421,9 @@ def _instant(a: _Value, t: float | None, name: str, own: str, at: _Data) -> _Val
         for row, weight in parts:
             np.moveaxis(back, k, 0)[row] = weight * g
         a.push(back)
+        if slope.any() and TIME in at.of:
+            after, before = (np.take(a.array, min(j + i, len(times) - 1), axis=k) for i in (1, 0))
+            at.seeds[TIME] = at.seeds.get(TIME, np.zeros_like(times)) + slope * float(np.sum(g * (after - before)))
 
     return _Value(np.asarray(found), a.dims[:k] + a.dims[k + 1 :], a.kind, push)
 
