@@ -7,12 +7,10 @@ import math
 from collections.abc import Iterable, Iterator, Mapping
 from typing import TYPE_CHECKING, Any, get_args
 
-import numpy as np
-
 from kinetruss.display import Table, counted, quantity
 from kinetruss.display.tables import measured, together, words
 from kinetruss.mechanics import compile
-from kinetruss.mechanics.matrices import mass_matrix
+from kinetruss.mechanics.matrices import total_mass
 from kinetruss.model import Active, Link, Model, Of, Record, Run
 from kinetruss.model.data import ELEMENT_FIELDS, FORCE_ELEMENTS
 from kinetruss.model.in_time import MomentOf
@@ -119,15 +117,6 @@ def _entry(name: str, kind: str, ends: Sequence[str], length: float, section: st
 def _sections(model: Model, rods: Sequence[Any]) -> str:
     """The sections in words, of an active member those of base and tube."""
     return "; ".join(worded(one) for rod in rods if (one := model.section_of(rod)) is not None)
-
-
-def total_mass(model: Model) -> float:
-    """Mass of everything in a model, kg: twice its kinetic energy in a translation at 1 m/s, from its mass matrix."""
-    system = compile(model)
-    moved = np.zeros_like(system.x0)
-    moved[[not node.scalar for node in system.model.nodes.values()], 0] = 1.0
-    way = moved.reshape(-1)
-    return float(way @ (mass_matrix(system, system.x0) @ way))
 
 
 def _nodes(model: Model) -> Table:
