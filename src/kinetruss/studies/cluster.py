@@ -64,7 +64,7 @@ def _executor(distributed: Any, client: Any, address: str) -> Callable[[Task, Se
     def computed(task: Task, batches: Sequence[Rows]) -> Iterator[tuple[int, Found]]:
         """Each batch as it is done; a few for each worker are under way, so that the scheduler holds no long list."""
         asked, left = dict[Any, int](), iter(range(len(batches)))
-        running = distributed.as_completed(with_results=False)
+        running = distributed.as_completed(loop=client.loop)
 
         def more() -> None:
             most = AHEAD * max(1, len(client.scheduler_info(n_workers=-1)["workers"]))

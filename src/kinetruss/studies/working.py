@@ -209,7 +209,7 @@ class _Job:
             return None if known == "begun" else Outcome(**known)
         ledger.note("nominal", "begun")
         rows: Rows = [(NOMINAL, {})]
-        outcomes = evaluate(self.task, rows) if local else [one for _, one in executor(self.task, [rows])][0]
+        outcomes = evaluate(self.task, rows) if local else next(one for _, one in executor(self.task, [rows]))
         if outcomes is None:
             return None
         (found,) = outcomes
