@@ -23,6 +23,7 @@ if TYPE_CHECKING:
         errors as errors,
         exchange as exchange,
         flexible as flexible,
+        gradients as gradients,
         io as io,
         kinematics as kinematics,
         library as library,
@@ -50,6 +51,12 @@ if TYPE_CHECKING:
         ModelError as ModelError,
         StoreError as StoreError,
         UnitError as UnitError,
+    )
+    from kinetruss.gradients.gradient import (
+        Response as Response,
+        check_gradient as check_gradient,
+        gradient as gradient,
+        value_and_gradient as value_and_gradient,
     )
     from kinetruss.io import read as read, write as write
     from kinetruss.kinematics import check as check, notes as notes

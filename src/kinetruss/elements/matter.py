@@ -33,6 +33,7 @@ class Matter:
         self.materials: list[Any] = []
         self._sizes: list[tuple[type, dict[str, float | None]]] = []
         self._places: dict[int, int] = {id(None): -1}
+        self._kinds: list[tuple[Any, tuple[str, ...], Array, Array]] | None = None
         self._known: dict[tuple[int, int, type], tuple[int, int]] = {}
 
     def of(self, part: Any) -> tuple[int, int]:
@@ -69,8 +70,23 @@ class Matter:
         return found
 
     def areas(self, numbers: Numbers) -> Array:
-        """Areas of the sections, (copies, sections), m^2."""
-        found = numbers.full(len(self.sections))
-        for k, one in enumerate(self.shapes(numbers)):
-            found[..., k] = one.area
+        """Areas of the sections, (copies, sections), m^2: one formula for all sections of a kind."""
+        found, given = numbers.full(len(self.sections)), numbers["section"]
+        for record, names, places, first in self._alike():
+            columns = {name: given[..., first + k] for k, name in enumerate(names)}
+            found[..., places] = Shape(record, dict.fromkeys(record.model_fields) | columns).area
         return found
+
+    def _alike(self) -> list[tuple[Any, tuple[str, ...], Array, Array]]:
+        """Sections with the same dimensions given: their class, these, their places, and where their numbers begin."""
+        if self._kinds is None:
+            groups: dict[Any, tuple[list[int], list[int]]] = {}
+            start = 0
+            for place, (record, own) in enumerate(self._sizes):
+                names = tuple(name for name, value in own.items() if value is not None)
+                places, first = groups.setdefault((record, names), ([], []))
+                places.append(place)
+                first.append(start)
+                start += len(names)
+            self._kinds = [(*key, np.array(places), np.array(first)) for key, (places, first) in groups.items()]
+        return self._kinds

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from typing import Any
 
@@ -58,9 +58,14 @@ def set_values(model: Model, settings: Mapping[str, Any]) -> Model:
     >>> heavier.nodes["B"].mass, heavier.title
     (20.0, 'Heavier')
     """
+    return changed(model, [(resolved(model, path), given(value)) for path, value in settings.items()])
+
+
+def changed(model: Model, settings: Iterable[tuple[Keys, Any]]) -> Model:
+    """`set_values` with paths as they are `resolved`, and values that are no text."""
     changes: dict[str | int, Any] = {}
-    for path, value in settings.items():
-        _noted(changes, resolved(model, path), _New(given(value)), path)
+    for keys, value in settings:
+        _noted(changes, keys, _New(value))
     return Model(**_changed(model, changes))
 
 
@@ -71,13 +76,15 @@ class _New:
     value: Any
 
 
-def _noted(changes: dict[str | int, Any], keys: Keys, new: _New, path: str) -> None:
+def _noted(changes: dict[str | int, Any], keys: Keys, new: _New) -> None:
     *before, last = keys
     here: Any = changes
     for key in before:
         here = here if isinstance(here, _New) else here.setdefault(key, {})
     if isinstance(here, _New) or last in here:
-        raise ModelError([Fault(keys, f"{path!r} sets what another path sets too.", "Leave one of them out.")])
+        raise ModelError(
+            [Fault(keys, f"{'.'.join(map(str, keys))!r} sets what another path sets too.", "Leave one of them out.")]
+        )
     here[last] = new
 
 

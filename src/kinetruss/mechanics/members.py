@@ -187,6 +187,8 @@ def member_arrays(members: Members, numbers: Numbers, distance: Array) -> dict[s
         found["friction"][..., at["friction"][:, 0], at["friction"][:, 1]] = numbers["bar_friction"]
     area = members.matter.areas(numbers)
     EA = _bars(members, numbers, area, found)
+    own = at["matter"][:, 0] >= 0
+    found["area"][..., at["bars"][own]] = area[..., at["matter"][own, 0]]
     found["own_rods"] = found["rods"].copy()
     found["clamped"] = _active(members, numbers, area, found)
     found["compliance"][..., at["unknown"]] = np.nan
@@ -194,7 +196,7 @@ def member_arrays(members: Members, numbers: Numbers, distance: Array) -> dict[s
     return members.fields | found
 
 
-_FIELDS = {"compliance": np.nan, "yielding": 0.0, "spring": 0.0, "natural": 1.0, "damping": 0.0}
+_FIELDS = {"area": np.nan, "compliance": np.nan, "yielding": 0.0, "spring": 0.0, "natural": 1.0, "damping": 0.0}
 """Arrays with one number a member, and what it is for a rigid one without section."""
 
 

@@ -32,7 +32,7 @@ class System:
     clamped (c, 3) these: 2 member for one on its base, 2 member + 1 on its tube; fraction from the end towards A; kg;
     law (m,) NONE, ENGINEERING, GREEN or CABLE (kernels.structure.structure), with spring (m,) k, N/m, else 0, natural (m,) l0,
     m, and damping (m,) c, N s/m; friction (m, 2) of the bearings at its ends, N m s; compliance (m,) 1/(E A), or 1/(k l0), 1/N,
-    NaN unknown, and yielding (m,) m/N, which adds to compliance times length;
+    NaN unknown, and yielding (m,) m/N, which adds to compliance times length; area (m,) of bars, m^2, NaN of other members;
     is_body (m,) bars that stand for a planar body (their rods are zero), body (m, 4): mass, e, f, central inertia;
     pair_p, pair_q (k,) nodes, pair_mass (k,), pair_skew (k,) kg: mass of bodies, m times the unit matrix between two nodes
     (p == q: at one), plus the skew part of a planar body about z; thin (n,) nodes of bodies whose own mass is singular;
@@ -74,6 +74,7 @@ class System:
     damping: NDArray[np.float64]
     friction: NDArray[np.float64]
     compliance: NDArray[np.float64]
+    area: NDArray[np.float64]
     yielding: NDArray[np.float64]
     body: NDArray[np.float64]
     is_body: NDArray[np.bool_]

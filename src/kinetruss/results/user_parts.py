@@ -168,6 +168,13 @@ def users(whole: xr.Dataset) -> xr.Dataset:
     return whole.drop_dims(HELD, errors="ignore").isel(parts).drop_vars(gone).drop_dims(none, errors="ignore")
 
 
+def users_of(whole: xr.Dataset, name: str) -> Any:
+    """Where the values of a variable that `users` keeps are among all of it, as an index."""
+    marks = {axis: ~whole[mark].values for axis, mark in MARKS.items() if mark in whole.coords}
+    found = [np.flatnonzero(marks[dim]) if dim in marks else np.arange(size) for dim, size in whole[name].sizes.items()]
+    return np.ix_(*found) if found else ()
+
+
 class Shown:
     """The field `data` of a result, kept whole: a dataset, or arrays from which it is made when it is first read."""
 

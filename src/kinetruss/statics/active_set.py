@@ -55,6 +55,19 @@ class Kinks:
     stiffness: NDArray[np.float64]
     curved: tuple[str, ...]
 
+    def laws(
+        self, state: NDArray[np.int64], flexible: NDArray[np.float64], tension: NDArray[np.float64], weak: float = 0.0
+    ) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
+        """Flexibility and tension (rows,) at x, in place of the given ones, of rows in this state (k,).
+
+        weak : fraction of its stiffness that a row between its kinks has.
+        """
+        now, before, k = flexible.copy(), tension.copy(), self.stiffness
+        end = np.where(state > 0, self.upper, np.where(state < 0, self.lower, 0.0))
+        now[self.row] = np.where(state != 0, 1.0 / k, 1.0 / (weak * k) if weak else np.inf)
+        before[self.row] = np.where(state != 0, -k * end, 0.0)
+        return now, before
+
     @property
     def before(self) -> NDArray[np.int64]:
         """1 of those above their upper kink before the load, or on it, -1 below the lower one, 0 between."""
@@ -65,7 +78,7 @@ class Kinks:
 class OneSided:
     """The solution, with the flexibility and the tension (rows,) in the configuration that rows have under this load; stored
     (rows,) J : energy that the load adds; slack : names of members that carry nothing; given (rows,) m : displacements that
-    couplings prescribe.
+    couplings prescribe; state (k,) of the rows with kinks: 1 above the upper one, -1 below the lower one, 0 between.
     """
 
     solved: Solved
@@ -74,6 +87,7 @@ class OneSided:
     stored: NDArray[np.float64]
     slack: tuple[str, ...]
     given: NDArray[np.float64]
+    state: NDArray[np.int64]
 
 
 def kinks_of(held: System, x: NDArray[np.float64], flexible: NDArray[np.float64]) -> Kinks:
@@ -90,7 +104,8 @@ def kinks_of(held: System, x: NDArray[np.float64], flexible: NDArray[np.float64]
         here = named_motions(held, x[None]).value[0]
         scale = held.measure_scale[held.force_element_measure]
         places = element_rows(held).tolist()
-        for k, (name, (kind, one)) in enumerate(held.model.force_elements.items()):
+        for k, (name, (kind, record)) in enumerate(held.model.force_elements.items()):
+            one = _Numbered(held, kind, k - held.force_element_spans[kind].start, record)
             start = held.measure_start[held.force_element_measure[k]]
             ends = _ends(kind, one, float(start))
             if ends is None:
@@ -108,6 +123,18 @@ def kinks_of(held: System, x: NDArray[np.float64], flexible: NDArray[np.float64]
         stiffness=np.concatenate(stiff),
         curved=tuple(curved),
     )
+
+
+class _Numbered:
+    """An element on a coordinate with the numbers that the system has of it, where it has some, in place of its record's."""
+
+    def __init__(self, held: System, kind: str, place: int, record: Any) -> None:
+        own = {name: held.element_numbers.get(f"{kind} {name}") for name in type(record).model_fields}
+        numbers = {name: float(one[place]) for name, one in own.items() if one is not None}
+        self.__dict__.update(vars(record) | {name: None if np.isnan(one) else one for name, one in numbers.items()})
+
+    def __getattr__(self, name: str) -> Any:
+        raise AttributeError(name)
 
 
 def _ends(kind: str, one: Any, start: float) -> tuple[float, float] | None:
@@ -176,14 +203,10 @@ def _searched(
     this fraction of its stiffness.
     """
     G, row, k = constraint_jacobian(held, x), kinks.row, kinks.stiffness
-    first, seen = kinks.before, set()
-    alone = False
+    seen, alone = set(), False
     for _ in range(MOST + MOST * len(row)):
-        now, before = flexible.copy(), tension.copy()
+        now, before = kinks.laws(state, flexible, tension, weak)
         on = state != 0
-        end = np.where(state > 0, kinks.upper, np.where(state < 0, kinks.lower, 0.0))
-        now[row] = np.where(on, 1.0 / k, 1.0 / (weak * k) if weak else np.inf)
-        before[row] = np.where(on, -k * end, 0.0)
         solved = solve(held, x, now, load - G.T @ before, given)
         total = before + solved.force
         least = PULLS * float(np.abs(total).max(initial=0.0))
@@ -193,11 +216,9 @@ def _searched(
         kept = on & (state * total[row] >= -least)
         wrong = np.where(on, ~kept, wanted != 0)
         if not wrong.any():
-            stored = np.where(given != 0.0, 0.0, (0.5 * solved.force + before) * solved.elongation)
-            was = np.where(first > 0, -k * kinks.upper, np.where(first < 0, -k * kinks.lower, 0.0))
-            stored[row] = 0.5 * (total[row] ** 2 - np.nan_to_num(was) ** 2) / k
             slack = _slack(held, row[~on])
-            found = OneSided(solved=solved, flexible=now, tension=before, stored=stored, slack=slack, given=given)
+            stored = stored_energy(kinks, solved, before, given)
+            found = OneSided(solved=solved, flexible=now, tension=before, stored=stored, slack=slack, given=given, state=state)
             return found, state
         key = state.tobytes()
         if key in seen:  # one at a time, the first wrong one, so that it does not go round (Murty, 1974)
@@ -208,6 +229,15 @@ def _searched(
         state = np.where(wrong, wanted, state)
     among = few(list(dict.fromkeys(held.part_of(r) for r in row)), 6)
     raise AnalysisError(f"It was not found which of {among} pull or press under this load. See statics.equilibrium.")
+
+
+def stored_energy(kinks: Kinks, solved: Solved, before: NDArray[np.float64], given: NDArray[np.float64]) -> NDArray[np.float64]:
+    """The energy (rows,) J that the load adds to the rows, with the tension `before` (rows,) that they have at x."""
+    first, k, row = kinks.before, kinks.stiffness, kinks.row
+    stored = np.where(given != 0.0, 0.0, (0.5 * solved.force + before) * solved.elongation)
+    was = np.where(first > 0, -k * kinks.upper, np.where(first < 0, -k * kinks.lower, 0.0))
+    stored[row] = 0.5 * ((before + solved.force)[row] ** 2 - np.nan_to_num(was) ** 2) / k
+    return stored
 
 
 def changed(held: System, x: NDArray[np.float64], flexible: NDArray[np.float64], e: NDArray[np.float64]) -> tuple[str, ...]:

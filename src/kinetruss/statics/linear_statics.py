@@ -45,7 +45,7 @@ if TYPE_CHECKING:
 # Small displacements of an elastic truss by the stiffness method.
 
 
-class _Known(NamedTuple):
+class Known(NamedTuple):
     """Given forces, N: `ends` (members, 2, 3) weight of members at their ends; `load` (3 n,) all nodal forces; `tension`
     (rows,) of bars and springs, `continua_force` (3 n,) of membranes and solids in the configuration itself; `loads` by name.
     """
@@ -124,12 +124,13 @@ def linear(
     loads = loads_at(system, np.array([load_time]), load_case, word).at(x[None])
     held = stiff_rows(system)
     flexible = flexibility(held, x)
-    flexible[_rigid_rows(held, rigid)] = 0.0
-    known = _known(system, held, x, loads)
+    flexible[rigid_rows(held, rigid)] = 0.0
+    known = known_forces(system, held, x, loads)
     G = constraint_jacobian(held, x)
     found = solve_one_sided(held, x, flexible, known.tension, known.load + known.continua_force)
     flexible = found.flexible
-    data = _dataset(system, held, x, found, known, G)
+    columns, coords = variables(system, held, x, found, known, G)
+    data = xr.Dataset(columns, coords=coords)
     force, displacement = found.solved.errors
     stressed = known.tension.any() or found.tension.any() or known.continua_force.any()
     if stressed and displacement > SILENT:  # beside a state in balance what is left is round-off of what the loads alone do
@@ -172,7 +173,8 @@ def _unbalanced(data: xr.Dataset) -> float:
     return float(abs(energy - work) / (max(abs(energy), abs(work)) or 1.0))
 
 
-def _rigid_rows(held: System, names: Collection[str]) -> NDArray[np.int64]:
+def rigid_rows(held: System, names: Collection[str]) -> NDArray[np.int64]:
+    """The rows of members that are kept inextensible."""
     given = [names] if isinstance(names, str) else list(names)
     if unknown := [name for name in given if name not in held.members]:
         raise InputError(f"No member called {unknown[0]!r} to keep rigid. {nearest(unknown[0], held.members)}")
@@ -180,10 +182,11 @@ def _rigid_rows(held: System, names: Collection[str]) -> NDArray[np.int64]:
     return np.flatnonzero(np.isin(held.row_member, chosen) & (held.row_kind == LENGTH))
 
 
-def _known(system: System, held: System, x: NDArray[np.float64], loads: Loads) -> _Known:
+def known_forces(system: System, held: System, x: NDArray[np.float64], loads: Loads) -> Known:
+    """The given forces at positions x (n, 3)."""
     ends = end_weights(system, x, loads.gravity)
     pushed = strained_forces(system, x) + element_forces(system, x, rows=False)
-    return _Known(ends, _nodal(system, loads, ends), _prestress(held, x), pushed, loads)
+    return Known(ends, _nodal(system, loads, ends), _prestress(held, x), pushed, loads)
 
 
 def _prestress(held: System, x: NDArray[np.float64]) -> NDArray[np.float64]:
@@ -203,7 +206,10 @@ def _nodal(system: System, loads: Loads, ends: NDArray[np.float64]) -> NDArray[n
     return np.asarray(load.reshape(-1) + body_and_continua_mass(system) @ np.tile(loads.gravity, len(load)))
 
 
-def _dataset(system: System, held: System, x: NDArray[np.float64], found: OneSided, known: _Known, G: Any) -> xr.Dataset:
+def variables(
+    system: System, held: System, x: NDArray[np.float64], found: OneSided, known: Known, G: Any
+) -> tuple[dict[str, Any], dict[str, Any]]:
+    """The variables of the result and the names along their axes, G the gradients of the rows (rows, 3 n)."""
     solved, (ends, load, _, continua_force, loads) = found.solved, known
     dim, members = system.dim, len(system.members)
     bars = held.row_kind == 0
@@ -258,7 +264,7 @@ def _dataset(system: System, held: System, x: NDArray[np.float64], found: OneSid
     coords |= rotation_axes(system)
     displaced, axes = displaced_columns(system, x, solved.displacement.reshape(-1, 3))
     data, coords = data | displaced, coords | axes
-    return xr.Dataset(data, coords=coords)
+    return data, coords
 
 
 def _on_measures(held: System, total: NDArray[np.float64]) -> tuple[NDArray[np.float64], NDArray[np.float64]]:

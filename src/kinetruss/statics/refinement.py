@@ -128,6 +128,24 @@ def best_of(
     return Refined(y=y, errors=errors, worst=max(worst, *errors))
 
 
+def each_of(
+    matrix: csr_array, right: list[NDArray[np.float64]], parts: list[slice], order: NDArray[np.int64]
+) -> list[NDArray[np.float64]]:
+    """Solutions for several right-hand sides with the factors of one way, the first that is good for all; no error bounds."""
+    doubled, sizes = Doubled(matrix), [0.0 for _ in parts]
+    found: list[NDArray[np.float64]] = [np.full(len(b), np.nan) for b in right]
+    for share, size in WAYS:
+        scale = np.where(np.arange(matrix.shape[0]) < parts[0].stop, size**0.5, size**-0.5)
+        solve = _factored(matrix, order, share, scale)
+        if solve is None:
+            continue
+        tried = [_refined(doubled, solve, b, parts, sizes) for b in right]
+        found = [y for y, _, _ in tried]
+        if all(rate < STEADY for _, _, rate in tried):
+            break
+    return found
+
+
 def _factored(matrix: csr_array, order: NDArray[np.int64], share: float, scale: NDArray[np.float64]) -> Solver | None:
     """Solver by the factors of the matrix, rows and columns scaled, in this order; None if it is singular."""
     scaled = csr_array(diags_array(scale) @ matrix @ diags_array(scale))

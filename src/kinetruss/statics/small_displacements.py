@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass, replace
-from typing import TYPE_CHECKING, Any, Literal
+from typing import TYPE_CHECKING, Any, Literal, NamedTuple
 
 import numpy as np
 from scipy.sparse import block_array, csr_array, diags_array, vstack
@@ -18,8 +18,8 @@ from kinetruss.mechanics.loads import Loads, case_loads
 from kinetruss.mechanics.matrices import bar_laws
 from kinetruss.mechanics.mobility import beam_deformations, deformations, mobility_at
 from kinetruss.mechanics.tables import elements, pair_weights
-from kinetruss.statics.frame_motions import motions_of, reduced
-from kinetruss.statics.refinement import best_of, fill_order
+from kinetruss.statics.frame_motions import Motions, motions_of, reduced
+from kinetruss.statics.refinement import best_of, each_of, fill_order
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray
@@ -159,37 +159,20 @@ def solve(
     ------
     InputError : a mechanism, named; inextensible bars whose forces are not unique.
     """
-    rows, (whole, soft) = len(flexible), _with_beams(held, x)
-    only, motions = _elements_only(held, x), motions_of(held, x)
-    C = csr_array(only)[held.free][:, held.free]
-    slack = np.isinf(flexible)
-    f = np.concatenate([np.where(slack, 0.0, flexible), soft])
-    kept = np.ones(len(f), np.bool_)
-    if motions is not None:
-        kept[:rows], C = motions.kept, csr_array(motions.to.T @ C @ motions.to)
-    G, push_on = reduced(motions, whole, len(soft)), load[held.free] if motions is None else motions.to.T @ load[held.free]
-    size = float(f.max(initial=0.0)) or 1.0 / (float(np.abs(C.data).max(initial=0.0)) or 1.0)
-    matrix = _saddle(G, f[kept] / size, np.append(slack, np.zeros(len(soft), np.bool_))[kept], size * C)
-    prescribed = np.zeros(rows) if given is None else given
-    push = max(float(np.abs(push_on).max(initial=0.0)), float(np.abs(prescribed).max(initial=0.0)) / size) or 1.0
-    b = np.concatenate([np.append(-prescribed / (push * size), np.zeros(len(soft)))[kept], push_on / push])
-    count = int(kept.sum())
-    parts = [slice(0, count), slice(count, len(b))]
+    known = _assembled(held, x, flexible)
+    prescribed = np.zeros(len(flexible)) if given is None else given
+    b, push = known.right(load, np.append(prescribed, np.zeros(len(known.kept) - len(flexible))))
     # elements may carry the load alone: the forces of bars are then 0 but for round-off
-    found = best_of(matrix, b, parts, _order(held), 1.0 if held.continua is not None or only.nnz else 0.0)
+    least = 1.0 if held.continua is not None or known.only.nnz else 0.0
+    found = best_of(known.matrix, b, known.parts, _order(held), least)
     if not found.worst <= SURE:
         _explain(held, x, flexible)
-    force, displacement, inner = np.zeros(len(f)), np.zeros(held.x0.size), np.zeros(held.x0.size)
-    force[kept] = found.y[:count] * push
-    moved = -found.y[count:] * push * size
-    displacement[held.free] = moved if motions is None else motions.to @ moved
-    if motions is not None:
-        left = np.zeros(held.x0.size)
-        left[held.free] = (load - only @ displacement)[held.free] - whole.T @ force
-        force[motions.frames.row] = motions.bar_forces(x, left)
-    elongation = np.where(slack, whole[:rows] @ displacement[held.free], f[:rows] * force[:rows] + prescribed)
-    if held.continua is not None or only.nnz:
-        inner = only @ displacement + _beam_rows(held, x).T @ force[rows:]
+    displacement, force = known.unscaled(found.y, push, load)
+    rows, inner, slack = len(flexible), np.zeros(held.x0.size), np.isinf(flexible)
+    stretched = np.where(slack, 0.0, flexible) * force[:rows] + prescribed
+    elongation = np.where(slack, known.whole[:rows] @ displacement[held.free], stretched)
+    if held.continua is not None or known.only.nnz:
+        inner = known.only @ displacement + beam_rows(held, x).T @ force[rows:]
     return Solved(
         displacement=displacement,
         elongation=elongation,
@@ -199,12 +182,87 @@ def solve(
     )
 
 
-def _beam_rows(held: System, x: NDArray[np.float64]) -> csr_array:
+def solve_each(
+    held: System,
+    x: NDArray[np.float64],
+    flexible: NDArray[np.float64],
+    load: NDArray[np.float64],
+    given: NDArray[np.float64],
+) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
+    """Displacements (k, 3 n) and forces (k, rows + r) of rows and deformations of beams as of `solve`, for several loads
+    (k, 3 n) and prescribed elongations (k, rows + r), where `solve` has an answer: one factorisation, no error bounds.
+    """
+    known = _assembled(held, x, flexible)
+    right = [known.right(*one) for one in zip(load, given, strict=True)]
+    found = each_of(known.matrix, [b for b, _ in right], known.parts, _order(held))
+    back = [known.unscaled(y, push, own) for y, (_, push), own in zip(found, right, load, strict=True)]
+    return np.array([one for one, _ in back]), np.array([one for _, one in back])
+
+
+class _Assembled(NamedTuple):
+    """The matrix for forces and -displacements, scaled, of the rows and free coordinates that are unknowns.
+
+    whole (rows + r, free) : gradients of the rows and of the deformations of beams. only (3 n, 3 n) : stiffness of elements
+    without rows. f (rows + r,) flexibilities; slack, kept (rows + r,). size : of flexibilities, m/N. forces : their number.
+    """
+
+    held: System
+    x: NDArray[np.float64]
+    whole: Any
+    only: Any
+    motions: Motions | None
+    slack: NDArray[np.bool_]
+    kept: NDArray[np.bool_]
+    size: float
+    matrix: csr_array
+    forces: int
+
+    @property
+    def parts(self) -> list[slice]:
+        """Forces, then displacements, among the unknowns."""
+        return [slice(0, self.forces), slice(self.forces, self.matrix.shape[0])]
+
+    def right(self, load: NDArray[np.float64], given: NDArray[np.float64]) -> tuple[NDArray[np.float64], float]:
+        """The right-hand side for nodal forces (3 n,), N, and prescribed elongations (rows + r,), m, and its scale, N."""
+        push_on = load[self.held.free] if self.motions is None else self.motions.to.T @ load[self.held.free]
+        push = max(float(np.abs(push_on).max(initial=0.0)), float(np.abs(given).max(initial=0.0)) / self.size) or 1.0
+        return np.concatenate([-given[self.kept] / (push * self.size), push_on / push]), push
+
+    def unscaled(
+        self, y: NDArray[np.float64], push: float, load: NDArray[np.float64]
+    ) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
+        """Displacements (3 n,) and forces (rows + r,) from a solution under nodal forces (3 n,)."""
+        force, displacement = np.zeros(len(self.kept)), np.zeros(self.held.x0.size)
+        force[self.kept] = y[: self.forces] * push
+        moved = -y[self.forces :] * push * self.size
+        displacement[self.held.free] = moved if self.motions is None else self.motions.to @ moved
+        if self.motions is not None:
+            left = np.zeros(self.held.x0.size)
+            left[self.held.free] = (load - self.only @ displacement)[self.held.free] - self.whole.T @ force
+            force[self.motions.frames.row] = self.motions.bar_forces(self.x, left)
+        return displacement, force
+
+
+def _assembled(held: System, x: NDArray[np.float64], flexible: NDArray[np.float64]) -> _Assembled:
+    rows, (whole, soft) = len(flexible), with_beams(held, x)
+    only, motions = elements_only(held, x), motions_of(held, x)
+    C = csr_array(only)[held.free][:, held.free]
+    slack = np.append(np.isinf(flexible), np.zeros(len(soft), np.bool_))
+    f = np.where(slack, 0.0, np.concatenate([flexible, soft]))
+    kept = np.ones(len(f), np.bool_)
+    if motions is not None:
+        kept[:rows], C = motions.kept, csr_array(motions.to.T @ C @ motions.to)
+    size = float(f.max(initial=0.0)) or 1.0 / (float(np.abs(C.data).max(initial=0.0)) or 1.0)
+    matrix = _saddle(reduced(motions, whole, len(soft)), f[kept] / size, slack[kept], size * C)
+    return _Assembled(held, x, whole, only, motions, slack, kept, size, matrix, int(kept.sum()))
+
+
+def beam_rows(held: System, x: NDArray[np.float64]) -> csr_array:
     """The deformations of beams as rows of unit size (r, 3 n)."""
     return beam_deformations(held, x).rows
 
 
-def _with_beams(held: System, x: NDArray[np.float64]) -> tuple[Any, NDArray[np.float64]]:
+def with_beams(held: System, x: NDArray[np.float64]) -> tuple[Any, NDArray[np.float64]]:
     """Gradients (rows, free) of the rows, then of the deformations of beams; and the flexibilities of these, m/N."""
     G = constraint_jacobian(held, x)[:, held.free]
     if held.continua is None or held.continua.beams is None:
@@ -213,7 +271,7 @@ def _with_beams(held: System, x: NDArray[np.float64]) -> tuple[Any, NDArray[np.f
     own = mode_gradients(beams, x)
     # a row of unit size is the mode over the size of its gradient
     soft = 1.0 / (beams.rigidity.reshape(-1) * np.asarray(own.multiply(own).sum(axis=1)).reshape(-1))
-    return csr_array(vstack([G, _beam_rows(held, x)[:, held.free]])), soft
+    return csr_array(vstack([G, beam_rows(held, x)[:, held.free]])), soft
 
 
 def _saddle(G: Any, f: NDArray[np.float64], slack: NDArray[np.bool_], C: Any) -> csr_array:
@@ -227,7 +285,7 @@ def _saddle(G: Any, f: NDArray[np.float64], slack: NDArray[np.bool_], C: Any) ->
 @cached()
 def _order(held: System) -> NDArray[np.int64]:
     """Order of elimination of forces and displacements: that of the stiffness matrix, every force before its first node."""
-    whole, soft = _with_beams(held, held.x0)
+    whole, soft = with_beams(held, held.x0)
     motions = motions_of(held, held.x0)
     G, C = reduced(motions, whole, len(soft)), abs(_continuum(held, held.x0))
     if motions is not None:
@@ -243,10 +301,10 @@ def _order(held: System) -> NDArray[np.int64]:
 
 def _continuum(held: System, x: NDArray[np.float64]) -> Any:
     """Stiffness of membranes and solids over the free coordinates, N/m, without that of their stresses at x."""
-    return csr_array(_elements_only(held, x))[held.free][:, held.free]
+    return csr_array(elements_only(held, x))[held.free][:, held.free]
 
 
-def _elements_only(held: System, x: NDArray[np.float64]) -> Any:
+def elements_only(held: System, x: NDArray[np.float64]) -> Any:
     """The same over all coordinates: of all continua but beams, whose deformations are rows, and of kinds without rows."""
     found, K = held.continua, csr_array((x.size, x.size))
     if found is not None and found.patches:

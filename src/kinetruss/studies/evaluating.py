@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import time
 from collections.abc import Iterable, Mapping, Sequence
-from dataclasses import dataclass, replace
+from dataclasses import dataclass, field, replace
 from functools import lru_cache
 from threading import Lock
 from typing import Any
@@ -18,6 +18,7 @@ from kinetruss.runs.joining import Accumulator, in_memory, notes_of
 from kinetruss.runs.missions import run_mission
 from kinetruss.runs.plans import SIMULATED, Plan, chosen_run, plan
 from kinetruss.runs.results import RunResult
+from kinetruss.runs.running import run
 from kinetruss.runs.variant_sets import Base
 from kinetruss.studies.kept_numbers import Kept
 from kinetruss.threads import one_thread
@@ -29,7 +30,7 @@ REFUSED, FAILED, DIED = "REFUSED", "FAILED", "DIED"
 @dataclass(frozen=True, slots=True)
 class Outcome:
     """What became of a variant. status : name of a `Status`, or one of those above. numbers : results by name, only of a run
-    that is complete.
+    that is complete; units : their units, SI.
     """
 
     row: int
@@ -37,18 +38,20 @@ class Outcome:
     message: str = ""
     seconds: float = 0.0
     numbers: Mapping[str, float] | None = None
+    units: Mapping[str, str] = field(default_factory=dict)
 
 
 @dataclass(frozen=True)
 class Task:
     """All that a process needs for the variants of a study. model : a model as JSON, or the path of its file, if a parameter of
-    its library is a variable. results : name -> text.
+    its library is a variable. results : name -> text. full : these need section forces or motor demands.
     """
 
     model: str
     run: str
     results: tuple[tuple[str, str], ...]
     path: str = ""
+    full: bool = False
     max_size: int = MAX_SIZE
 
 
@@ -63,7 +66,7 @@ def evaluate(task: Task, rows: Rows) -> list[Outcome]:
     """The outcomes of some rows. An error of a variant is its outcome."""
     with _alone:
         base, kept = _prepared(task)
-        return [evaluated(base, task.run, kept, row, values) for row, values in rows]
+        return [evaluated(base, task, kept, row, values) for row, values in rows]
 
 
 @lru_cache(maxsize=4)
@@ -72,21 +75,21 @@ def _prepared(task: Task) -> tuple[Base, Kept]:
     return Base(model, task.max_size), Kept(dict(task.results))
 
 
-def evaluated(base: Base, run: str, kept: Kept, row: int, values: Mapping[str, Any]) -> Outcome:
+def evaluated(base: Base, task: Task, kept: Kept, row: int, values: Mapping[str, Any]) -> Outcome:
     """The outcome of one row."""
     started = time.perf_counter()
     try:
         model = base.with_(values)
     except KinetrussError as error:
         return Outcome(row, REFUSED, plain(str(error)), time.perf_counter() - started)
-    return outcome_of(model, run, kept, row, started)
+    return outcome_of(model, task, kept, row, started)
 
 
-def outcome_of(model: Model, run: str, kept: Kept, row: int, started: float) -> Outcome:
+def outcome_of(model: Model, task: Task, kept: Kept, row: int, started: float) -> Outcome:
     """The outcome of the run of a model."""
     status, message, numbers = FAILED, "", None
     try:
-        found = brief(model, run, kept.judged)
+        found = run(model, task.run) if task.full else brief(model, task.run, kept.judged)
         status, message = found.status.name, found.partial or found.message
         # what ends early, and a mission without some of its pairs, has no numbers
         numbers = None if found.partial else kept(found)
@@ -94,16 +97,16 @@ def outcome_of(model: Model, run: str, kept: Kept, row: int, started: float) -> 
         status, message = FAILED, str(error)
     except Exception as error:  # noqa: BLE001 - whatever a model raises is told of that model, and the study goes on
         status, message = FAILED, f"{type(error).__name__}: {error}"
-    return Outcome(row, status, plain(message), time.perf_counter() - started, numbers)
+    return Outcome(row, status, plain(message), time.perf_counter() - started, numbers, kept.units)
 
 
 @one_thread
-def brief(model: Model, run: str, judged: bool = True) -> RunResult:
+def brief(model: Model, name: str, judged: bool = True) -> RunResult:
     """A run in memory with motion and forces alone, and with the strength check; equal to these of `runs.run`.
 
     So it leaves out the same poses at rest, section forces and motor demands, which take most of the time of a small run.
     """
-    name = chosen_run(model, run)
+    name = chosen_run(model, name)
     if model.runs[name].analysis == MISSION:
         return run_mission(model, name)
     job = replace(plan(model, name), full=False, bare=not judged)

@@ -3,20 +3,26 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Iterable, Mapping
+import re
+from collections.abc import Callable, Container, Iterable, Mapping
 from dataclasses import dataclass
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any, NamedTuple, cast
 
 import numpy as np
 
 from kinetruss.errors import InputError
-from kinetruss.mechanics.matrices import total_mass
-from kinetruss.model import nearest
+from kinetruss.gradients import read_response
+from kinetruss.mechanics import compile
+from kinetruss.mechanics.matrices import mass_by_nodes
+from kinetruss.results import Column, Columns, Result
+from kinetruss.results.arrays import columns_of
+from kinetruss.results.user_parts import MARKS
 from kinetruss.runs.mission_results import MissionRun
 from kinetruss.runs.results import RunResult
 from kinetruss.strength.verdict import highest
 
 if TYPE_CHECKING:
+    import xarray as xr
     from numpy.typing import NDArray
 
 
@@ -74,9 +80,66 @@ STANDARD: Mapping[str, Standard] = {
     "peak_drive_force": Standard(_drive_force, "N or N m", "largest magnitude of a drive force or torque"),
     "peak_drive_power": Standard(_drive_power, "W", "largest magnitude of the power of a drive"),
     "peak_displacement": Standard(_displacement, "m", "largest displacement of a node, of statics"),
-    "mass": Standard(lambda run: total_mass(run.model), "kg", "mass of everything"),
+    "mass": Standard(lambda run: float(mass_by_nodes(compile(run.model)).sum()), "kg", "mass of everything"),
 }
 """What a study keeps if it names no results, where it is known."""
+
+
+# Responses, over all that a run has.
+
+NAME = re.compile(r"[A-Za-z_]\w*")
+JUDGED = {"utilisation", "margin"}
+"""Variables that need the strength check."""
+CASE = "load_case"
+
+
+class Sheet(NamedTuple):
+    """The variables of a run by name, and the names along their axes: what `gradients.read_response` reads of a dataset."""
+
+    data_vars: dict[str, Any]
+    coords: dict[str, Any]
+
+
+def sheet(run: RunResult) -> Sheet:
+    """All variables of a run, without inner parts. With several load cases those of forces have an axis more, ``load_case``."""
+    own = Sheet({}, {})
+    _gather(own, "forces", {case: _columns(one) for case, one in run.forces.items()})
+    if run.verdict is not None:
+        _gather(own, "verdict", {"": _columns(run.verdict)}, JUDGED)
+    for name, group in (("statics", run.statics), ("demand", run.demand), ("sections", run.sections)):
+        _gather(own, name, {case: _columns(one) for case, one in group.items()})
+    _gather(own, "motion", {"": _columns(run.motion)})
+    return own
+
+
+def _columns(result: Result) -> Columns:
+    """What users read of a result."""
+    arrays = result.arrays
+    return columns_of(result.data) if any(mark in arrays for mark in MARKS.values()) else arrays
+
+
+def _gather(own: Sheet, kind: str, cases: Mapping[str, Columns], wanted: Container[str] | None = None) -> None:
+    """Add the variables of the load cases of one kind of result to those that are there already. An axis with other names than
+    one that is there is another axis.
+    """
+    first = next(iter(cases.values()), {})
+    axes = {}
+    for name, one in first.items():
+        if one.dims == (name,):
+            there = own.coords.setdefault(name, one)
+            axes[name] = name if np.array_equal(there.values, one.values) else f"{name} of {kind}"
+            own.coords.setdefault(axes[name], one)
+    for name, one in first.items():
+        new = name not in own.data_vars and name not in axes and (wanted is None or name in wanted)
+        if not new or np.asarray(one.values).dtype.kind != "f":
+            continue
+        dims = tuple(axes.get(dim, dim) for dim in one.dims)
+        every = [columns[name].values for columns in cases.values() if name in columns]
+        if len(cases) == 1:
+            own.data_vars[name] = Column(dims, one.values, one.attrs)
+        elif len(every) == len(cases) and len({np.shape(values) for values in every}) == 1:
+            own.data_vars[name] = Column((CASE, *dims), np.stack(every), one.attrs)
+            own.coords.setdefault(CASE, Column((CASE,), np.array(list(cases)), {}))
 
 
 class Kept:
@@ -84,41 +147,56 @@ class Kept:
 
     def __init__(self, results: Mapping[str, str]) -> None:
         self.texts = dict(results) or {name: name for name in STANDARD}
-        self.chosen = bool(results)
-        self._of: dict[str, Standard] = {name: _standard(name, text) for name, text in self.texts.items()}
-        self.judged = any(one.judged for one in self._of.values())
-
-    def unit(self, name: str) -> str:
-        """The SI unit of a result."""
-        return self._of[name].unit
+        names = {word for text in self.texts.values() for word in NAME.findall(text)}
+        self.judged = bool(names & JUDGED) or any(STANDARD[one].judged for one in names & set(STANDARD))
+        self.units = {name: STANDARD[text].unit for name, text in self.texts.items() if text in STANDARD}
 
     def __call__(self, run: RunResult) -> dict[str, float]:
-        """The numbers of a run by name; NaN what is not known of it."""
-        return {name: float(one.of(run)) for name, one in self._of.items()}
+        """The numbers of a run by name; NaN what is not known of it.
+
+        Raises
+        ------
+        InputError : a result that the run does not have.
+        """
+        own: Sheet | None = None
+        found = {}
+        for name, text in self.texts.items():
+            if text in STANDARD:
+                found[name] = float(STANDARD[text].of(run))
+                continue
+            own = own or sheet(run)
+            found[name], self.units[name] = _response(run, own, name, text)
+        return found
 
 
-def _standard(name: str, text: str) -> Standard:
-    if text not in STANDARD:
-        raise InputError(f"results.{name}: {text!r} is not known. {nearest(text, STANDARD)}")
-    return STANDARD[text]
+def _response(run: RunResult, own: Sheet, name: str, text: str) -> tuple[float, str]:
+    words = [word for word in dict.fromkeys(NAME.findall(text)) if word in STANDARD and word not in own.data_vars]
+    more = {word: Column((), np.asarray(STANDARD[word].of(run)), {"units": STANDARD[word].unit}) for word in words}
+    try:
+        read = read_response(text, cast("xr.Dataset", own), more)
+    except InputError as error:
+        raise InputError(f"results.{name}: {error}") from None
+    return read.value, read.unit
 
 
 def scalars(run: RunResult, results: Mapping[str, str] | None = None) -> dict[str, float]:
     """The numbers that a study keeps of a run, in SI; NaN what the run does not have.
 
-    results : name -> what; by default all of ``peak_utilisation``, ``peak_member_force`` N, ``peak_drive_force`` N or N m,
-    ``peak_drive_power`` W, ``peak_displacement`` m (of statics), ``mass`` kg.
+    results : name -> a response over the variables of the run, as ``max(abs(member_force[crank]))`` (`gradients.read_response`;
+    with several load cases the forces have the axis ``load_case``), or one of ``peak_utilisation``, ``peak_member_force`` N,
+    ``peak_drive_force`` N or N m, ``peak_drive_power`` W, ``peak_displacement`` m (of statics), ``mass`` kg; by default all
+    of these.
 
     Raises
     ------
-    InputError : a result that is not known.
+    InputError : a response that is none, or that names what the run does not have.
 
     Examples
     --------
     >>> import kinetruss as kt
     >>> model = kt.read(kt.library.example_files()["four_bar"][0])
-    >>> found = kt.studies.scalars(kt.run(model, "turn"), {"peak": "peak_member_force"})
-    >>> round(found["peak"], 1)  # N
-    16.4
+    >>> found = kt.studies.scalars(kt.run(model, "turn"), {"peak": "peak_member_force", "crank": "max(member_force[crank])"})
+    >>> round(found["peak"], 3), round(found["crank"], 3)  # N
+    (9.935, 9.935)
     """
     return Kept(results or {})(run)

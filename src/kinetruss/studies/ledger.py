@@ -100,6 +100,12 @@ class Ledger:
             ],
         )
 
+    def set_units(self, units: Mapping[str, str]) -> None:
+        """The units of the results, which are known with the first numbers."""
+        self.connection.executemany(
+            "update results set unit = ? where name = ?", [(unit, name) for name, unit in units.items()]
+        )
+
     def commit(self) -> None:
         """All that was added is kept from now on.
 

@@ -6,6 +6,7 @@ import math
 import time
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from contextlib import AbstractContextManager, nullcontext
+from dataclasses import replace
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
@@ -147,7 +148,7 @@ class _Job:
         built = any(path.startswith("library.") for paths in self.paths.values() for path in paths)
         text = model.model_dump_json()
         file = str(Path(study.model).absolute()) if built and isinstance(study.model, str) else ""
-        self.task = Task("" if file else text, self.run, tuple(kept.texts.items()), file, max_size)
+        self.task = Task("" if file else text, self.run, tuple(kept.texts.items()), file, max_size=max_size)
         whole = {
             "model": text,
             "run": self.run,
@@ -157,7 +158,7 @@ class _Job:
             "version of kinetruss": __version__,
         }
         saltelli = 0 if study.sample is None or cube is not None else study.sample.saltelli or 0
-        results = {name: (text, kept.unit(name)) for name, text in kept.texts.items()}
+        results = {name: (text, kept.units.get(name, "")) for name, text in kept.texts.items()}
         more = {"title": study.title, "base points": saltelli}
         self.contents = Contents(whole=whole, more=more, points=self.points, results=results)
 
@@ -206,15 +207,21 @@ class _Job:
         here before that did not end, so that the processes have its kernels.
         """
         if (known := ledger.about("nominal")) is not None:
+            self.task = replace(self.task, full=bool(ledger.about("full")))
             return None if known == "begun" else Outcome(**known)
         ledger.note("nominal", "begun")
         rows: Rows = [(NOMINAL, {})]
-        outcomes = evaluate(self.task, rows) if local else next(one for _, one in executor(self.task, [rows]))
-        if outcomes is None:
-            return None
-        (found,) = outcomes
-        if found.status == FAILED and self.kept.chosen and found.message.startswith("results."):
+        for full in (False, True):  # what the brief run does not have may be in the full one
+            self.task = replace(self.task, full=full)
+            outcomes = evaluate(self.task, rows) if local else next(one for _, one in executor(self.task, [rows]))
+            if outcomes is None:
+                return None
+            (found,) = outcomes
+            if not (found.status == FAILED and found.message.startswith("results.")):
+                break
+        else:
             raise InputError(found.message)
+        ledger.note("full", self.task.full)
         if check and local:
             self._check_influence(found)
         ledger.note("nominal", {name: getattr(found, name) for name in Outcome.__dataclass_fields__})
@@ -228,7 +235,7 @@ class _Job:
             pair = self._ends(name)
             if pair is None:
                 continue
-            ends = [outcome_of(one, self.run, self.kept, NOMINAL, time.perf_counter()) for one in pair]
+            ends = [outcome_of(one, self.task, self.kept, NOMINAL, time.perf_counter()) for one in pair]
             if all(one.numbers is not None and _same(one.numbers, nominal.numbers) for one in ends):
                 mend = "Remove it, keep a result that it changes, or leave out this check: check=False, --no-check."
                 names = ", ".join(self.kept.texts)
@@ -286,6 +293,7 @@ def _work(
     done, last, died = total - len(left), time.monotonic(), dict[int, int]()
     seconds = BATCH if nominal is None or nominal.status in (REFUSED, FAILED) else max(nominal.seconds, 1e-6)
     size = max(1, min(LARGEST, int(BATCH / seconds), math.ceil(len(left) / (4 * count))))
+    known = False
     batches = [left[k : k + size] for k in range(0, len(left), size)]
     if progress is not None:
         progress(done, total)
@@ -302,6 +310,9 @@ def _work(
                         found.append(Outcome(row, DIED, f"Its process died {TRIES} times."))
             ledger.add(found)
             done += len(found)
+            if not known and (units := next((one.units for one in found if one.numbers is not None), None)):
+                ledger.set_units(units)
+                known = True
             if time.monotonic() - last > PAUSE:
                 ledger.commit()
                 last = time.monotonic()

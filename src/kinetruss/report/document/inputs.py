@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING, Any, get_args
 from kinetruss.display import Table, counted, quantity
 from kinetruss.display.tables import measured, together, words
 from kinetruss.mechanics import compile
-from kinetruss.mechanics.matrices import total_mass
+from kinetruss.mechanics.matrices import mass_by_nodes
 from kinetruss.model import Active, Link, Model, Of, Record, Run
 from kinetruss.model.data import ELEMENT_FIELDS, FORCE_ELEMENTS
 from kinetruss.model.in_time import MomentOf
@@ -117,6 +117,11 @@ def _entry(name: str, kind: str, ends: Sequence[str], length: float, section: st
 def _sections(model: Model, rods: Sequence[Any]) -> str:
     """The sections in words, of an active member those of base and tube."""
     return "; ".join(worded(one) for rod in rods if (one := model.section_of(rod)) is not None)
+
+
+def total_mass(model: Model) -> float:
+    """Mass of everything in a model, kg."""
+    return float(mass_by_nodes(compile(model)).sum())
 
 
 def _nodes(model: Model) -> Table:

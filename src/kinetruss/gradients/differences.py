@@ -1,0 +1,69 @@
+"""Differences by numbers of one colour together, contracted with weights: what one evaluation tells of many derivatives."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Sequence
+from typing import TYPE_CHECKING, Any, NamedTuple
+
+import numpy as np
+from scipy.sparse import csr_array
+
+from kinetruss.gradients.nearness import Near, colours
+
+if TYPE_CHECKING:
+    from numpy.typing import NDArray
+
+    Floats = NDArray[np.float64]
+
+FOUR = ((1.0, 2 / 3), (-1.0, -2 / 3), (2.0, -1 / 12), (-2.0, 1 / 12))
+"""Steps and weights of the central difference of fourth order; exact for polynomials to the fourth degree."""
+TWO = ((1.0, 0.5), (-1.0, -0.5))
+"""Those of second order; exact for quadratic functions."""
+LEAK = 1e-9
+"""Fraction of a change beyond which it is not near what causes it."""
+
+
+class Weighed(NamedTuple):
+    """Functions as one array (m,), weights (k, m) of several sums of them, and the node (m,) at which each is, -1 unknown."""
+
+    of: Callable[[Floats], Floats]
+    weight: Floats
+    site: NDArray[np.int64]
+
+
+def differences(
+    given: Weighed, near: Sequence[Near], step: Floats, count: int, points: Sequence[tuple[float, float]] = FOUR
+) -> Floats:
+    """Derivatives (k, numbers) of weighed sums by numbers.
+
+    given.of : takes changes (numbers,) of the numbers. near : nodes near each number, as of `near_nodes`. step (numbers,).
+    count : of nodes. Numbers whose effects are not where they are expected are taken one by one.
+    """
+    found = np.zeros((len(given.weight), len(step)))
+    wanted = [k for k in range(len(step)) if step[k]]
+    groups = [[wanted[j] for j in group] for group in colours([near[k] for k in wanted], count)]
+    for group in groups:
+        change = _change(given, step, group, points)
+        if len(group) == 1:
+            found[:, group[0]] = given.weight @ change
+            continue
+        label = np.full(count + 1, -1)  # the last is of what is nowhere
+        for j, k in enumerate(group):
+            label[[*(near[k] or ())]] = j
+        own = label[given.site]
+        size = np.abs(given.weight).max(axis=0, initial=0.0) * np.abs(change)
+        if size[own < 0].sum() > LEAK * size.sum():
+            for k in group:
+                found[:, k] = given.weight @ _change(given, step, [k], points)
+            continue
+        kept = np.flatnonzero((own >= 0) & (change != 0.0))
+        onto = csr_array((change[kept], (kept, own[kept])), shape=(len(change), len(group)))
+        found[:, group] = (onto.T @ given.weight.T).T
+    return found / np.where(step, step, 1.0)
+
+
+def _change(given: Weighed, step: Floats, group: Sequence[int], points: Sequence[tuple[float, float]]) -> Any:
+    """The change (m,) of the functions for a step of all numbers of a group."""
+    own = np.zeros_like(step)
+    own[group] = step[group]
+    return sum(weight * given.of(share * own) for share, weight in points)

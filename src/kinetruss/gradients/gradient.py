@@ -1,0 +1,185 @@
+"""Gradients of responses: exact derivatives of scalars of results by numbers of the model."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass, field
+from functools import cached_property
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+import xarray as xr
+
+from kinetruss.errors import AnalysisError, InputError
+from kinetruss.gradients.differences import FOUR
+from kinetruss.gradients.linear_point import LinearPoint
+from kinetruss.gradients.points import Point, gradients_at
+from kinetruss.gradients.responses import Read, read_response
+from kinetruss.gradients.varied import Varied, Wrt, varied
+from kinetruss.mechanics import compile
+from kinetruss.model import Model
+from kinetruss.statics import linear
+
+if TYPE_CHECKING:
+    from numpy.typing import NDArray
+
+POINTS: dict[Callable[..., Any], Callable[..., Point]] = {linear: LinearPoint}
+"""What gives the gradients of the results of each analysis."""
+
+
+@dataclass(frozen=True, eq=False)
+class Response:
+    """A scalar of the result of an analysis of a model, as text.
+
+    Parameters
+    ----------
+    text : over the variables of the result, with entries by name in brackets, + - * / **, units and functions:
+        ``max(abs(member_force))/kN``, ``displacement[C, y]``, ``rms(drive_force[lift])``; see `read_response`.
+    analysis : `statics.linear`, ... ; arguments : those that it takes beside the model.
+
+    >>> import kinetruss as kt
+    >>> rod = kt.Model(nodes={"A": (0, 0), "B": (2, 0)}, fixed={"A": "xy", "B": "y"}, bars={"b": ("A", "B")},
+    ...                section=kt.Rod(diameter="10 mm"), material="steel_s235",
+    ...                loads={"pull": kt.NodalForce(node="B", force=(7e3, 0))})
+    >>> tip = kt.Response("displacement[B, x]/mm", kt.statics.linear, rod)
+    >>> round(tip.value, 4)
+    0.8488
+    """
+
+    text: str
+    analysis: Callable[..., Any]
+    model: Model
+    arguments: dict[str, Any] = field(default_factory=dict)
+
+    def __init__(self, text: str, analysis: Callable[..., Any], model: Model, **arguments: Any) -> None:
+        if analysis not in POINTS:
+            known = ", ".join(f"{one.__module__.split('.')[1]}.{one.__name__}" for one in POINTS)
+            given = getattr(analysis, "__name__", analysis)
+            raise InputError(f"Results of {given!r} have no responses yet. Take one of {known}.")
+        for name, value in (("text", text), ("analysis", analysis), ("model", model), ("arguments", arguments)):
+            object.__setattr__(self, name, value)
+
+    @cached_property
+    def _read(self) -> Read:
+        return read_response(self.text, POINTS[self.analysis](compile(self.model), **self.arguments).data())
+
+    @property
+    def value(self) -> float:
+        """The value, in SI units if the text has none."""
+        return self._read.value
+
+    @property
+    def unit(self) -> str:
+        """The unit of the value."""
+        return self._read.unit
+
+    def at(self, model: Model) -> Response:
+        """The same of another model."""
+        return Response(self.text, self.analysis, model, **self.arguments)
+
+
+def value_and_gradient(of: Response | Sequence[Response], wrt: Wrt) -> tuple[Any, xr.DataArray]:
+    """The value of a response and its derivatives by numbers of the model; of several responses of one analysis arrays.
+
+    Parameters
+    ----------
+    of : a response, or several of the same analysis, model and arguments, which then share the work.
+    wrt : paths of numbers, as for `io.set_value`: ``bars.M7.section.area``, ``nodes.C.at.0``; with a star for all that fit; a
+        list of paths inside the list is one number that all have.
+
+    Returns
+    -------
+    The value, and the derivatives (number,), or (response, number), in the unit of the response over the SI unit of the number.
+
+    Raises
+    ------
+    InputError : an unknown path, or one of no number. AnalysisError : there is no gradient, as at a tie of two largest values.
+
+    Notes
+    -----
+    Exact up to round-off: the adjoint of the equations of the analysis, with differences of fourth order of what the elements
+    compute at fixed unknowns, in as few evaluations as the colours of the numbers (Curtis, Powell & Reid, 1974).
+
+    >>> import kinetruss as kt
+    >>> rod = kt.Model(nodes={"A": (0, 0), "B": (2, 0)}, fixed={"A": "xy", "B": "y"}, bars={"b": ("A", "B")},
+    ...                section=kt.Rod(diameter="10 mm"), material="steel_s235",
+    ...                loads={"pull": kt.NodalForce(node="B", force=(7e3, 0))})
+    >>> tip = kt.Response("displacement[B, x]", kt.statics.linear, rod)
+    >>> value, by = kt.value_and_gradient(tip, ["nodes.B.at.0"])  # u = F l/(E A)
+    >>> bool(abs(by.item() - value / 2) < 1e-12)
+    True
+    """
+    several = [of] if isinstance(of, Response) else [*of]
+    if not several:
+        raise InputError("No response is given. Give kt.Response('max(abs(member_force))', kt.statics.linear, model).")
+    first = several[0]
+    if any((one.analysis, one.model, one.arguments) != (first.analysis, first.model, first.arguments) for one in several[1:]):
+        raise InputError("The responses are of several analyses or models. Take those of one at a time.")
+    by = varied(first.model, wrt)
+    return _found(several, by, isinstance(of, Response))
+
+
+def _found(several: Sequence[Response], by: Varied, single: bool) -> tuple[Any, xr.DataArray]:
+    first = several[0]
+    point = POINTS[first.analysis](by.system, **first.arguments)
+    data = point.data()
+    read = [read_response(one.text, data) for one in several]
+    for one, own in zip(several, read, strict=True):
+        if own.ties:
+            raise AnalysisError(
+                f"{one.text} has no gradient here: {'; '.join(own.ties)} equally large. "
+                "Take pnorm(..., 8) or ks(..., r), which are smooth, or name one of them in brackets."
+            )
+    found = gradients_at(point, by, [own.seeds for own in read])
+    texts = [one.text for one in several]
+    values = np.array([own.value for own in read])
+    coords = {"number": list(by.names), "response": texts}
+    array = xr.DataArray(found, dims=("response", "number"), coords=coords)
+    return (float(values[0]), array[0]) if single else (values, array)
+
+
+def gradient(of: Response | Sequence[Response], wrt: Wrt) -> xr.DataArray:
+    """The derivatives of `value_and_gradient` alone.
+
+    >>> import kinetruss as kt
+    >>> rod = kt.Model(nodes={"A": (0, 0), "B": (2, 0)}, fixed={"A": "xy", "B": "y"}, bars={"b": ("A", "B")},
+    ...                section=kt.General(area=1e-4, I2=1e-9, I3=1e-9, c2=0.01, c3=0.01), material="steel_s235",
+    ...                loads={"pull": kt.NodalForce(node="B", force=(7e3, 0))})
+    >>> round(kt.gradient(kt.Response("axial_stress[b]/MPa", kt.statics.linear, rod), "section.area").item())  # -F/A^2
+    -700000
+    """
+    return value_and_gradient(of, wrt)[1]
+
+
+@dataclass(frozen=True, eq=False)
+class Check:
+    """A gradient beside differences: arrays (numbers,); error: the largest deviation over the largest derivative, in changes of
+    each number by its own size.
+    """
+
+    gradient: NDArray[np.float64]
+    differences: NDArray[np.float64]
+    error: float
+
+
+def check_gradient(of: Response, wrt: Wrt, step: float = 2e-4) -> Check:
+    """A gradient beside central differences of fourth order of the whole analysis, four of it for each number.
+
+    step : as a fraction of each number, or of the size of the structure for places.
+
+    >>> import kinetruss as kt
+    >>> truss = kt.library.vgt.triangular()
+    >>> force = kt.Response("max(abs(member_force))", kt.statics.linear, truss)
+    >>> kt.check_gradient(force, ["nodes.B.at.0", "nodes.B.at.1"]).error < 1e-8
+    True
+    """
+    by = varied(of.model, wrt)
+    found = np.asarray(_found([of], by, single=True)[1])
+    other = np.zeros(len(by.names))
+    for k in range(len(by.names)):
+        for share, weight in FOUR:
+            change = np.zeros(len(by.names))
+            change[k] = share * step * by.scale[k]
+            other[k] += weight * of.at(by.model_at(change)).value / (step * by.scale[k])
+    size = float(np.abs(other * by.scale).max(initial=0.0)) or 1.0
+    return Check(found, other, float(np.abs((found - other) * by.scale).max(initial=0.0)) / size)

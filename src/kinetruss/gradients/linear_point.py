@@ -1,0 +1,214 @@
+"""`statics.linear` at its solution: forces N of the rows and displacements u, with the matrix of the stiffness method.
+
+r = (f N + given - G u,  G^T (N + N0) + K u - F),    z from the same symmetric matrix
+"""
+
+from __future__ import annotations
+
+from collections.abc import Collection, Sequence
+from dataclasses import dataclass, replace
+from functools import cached_property
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+import xarray as xr
+
+from kinetruss.gradients.nearness import site_of_rows, sites, sites_along
+from kinetruss.mechanics import System, constraint_jacobian
+from kinetruss.mechanics.arguments import number_of, positions_of
+from kinetruss.mechanics.matrices import mass_by_nodes
+from kinetruss.results import variable
+from kinetruss.results.user_parts import users, users_of
+from kinetruss.statics.active_set import Kinks, OneSided, given_displacements, kinks_of, solve_one_sided, stored_energy
+from kinetruss.statics.linear_statics import Known, known_forces, rigid_rows, variables
+from kinetruss.statics.small_displacements import (
+    Solved,
+    Weight,
+    elements_only,
+    flexibility,
+    loads_at,
+    solve_each,
+    stiff_rows,
+    weight_word,
+    with_beams,
+)
+
+if TYPE_CHECKING:
+    from numpy.typing import ArrayLike, NDArray
+
+    Floats = NDArray[np.float64]
+
+
+@dataclass(frozen=True, eq=False)
+class _Equations:
+    """What stands in r: flexible, tension, given (rows,) of the rows of `stiff_rows`; rows: gradients of these and of the
+    deformations of beams, and the flexibilities of the latter; only: stiffness of elements without rows.
+    """
+
+    held: System
+    x: Floats
+    known: Known
+    kinks: Kinks
+    flexible: Floats
+    tension: Floats
+    rows: tuple[Any, Floats]
+    only: Any
+    given: Floats
+
+    @cached_property
+    def gradients(self) -> Any:
+        """Of the rows, (rows, 3 n)."""
+        return constraint_jacobian(self.held, self.x)
+
+
+class LinearPoint:
+    """A `Point` of `statics.linear`, with the arguments of that function."""
+
+    linear = True
+
+    def __init__(
+        self,
+        system: System,
+        position: ArrayLike | None = None,
+        load_case: str | None = None,
+        *,
+        weight: Weight = True,
+        rigid: Collection[str] = (),
+        time: float = 0.0,
+    ) -> None:
+        self.system, self.place = system, position
+        self.case, self.word, self.rigid, self.time = load_case, weight_word(weight), rigid, number_of(time, "time", "s")
+        self._last: tuple[System, _Equations] | None = None
+        held, x = stiff_rows(system), positions_of(system, position)
+        flexible, known = self._forces(system, held, x)
+        self.found = solve_one_sided(held, x, flexible, known.tension, known.load + known.continua_force)
+        whole, soft = with_beams(held, x)
+        on_beams = (whole[len(flexible) :] @ self.found.solved.displacement[held.free]) / soft
+        self.unknown = np.concatenate([self.found.solved.force, on_beams, self.found.solved.displacement[held.free]])
+        self.rows, self.forces = len(flexible), whole.shape[0]
+        force, moved = self.unknown[: self.forces], self.unknown[self.forces :]
+        size = [np.full(len(one), float(np.abs(one).max(initial=0.0)) or 1.0) for one in (force, moved)]
+        self.size = np.concatenate(size)
+        at = sites(system)
+        beams = system.continua.beams if system.continua is not None else None
+        of_beams: Any = [] if beams is None else np.repeat(at["node"][beams.nodes[:, 0]], beams.rigidity.shape[1])
+        self.at = np.concatenate([site_of_rows(held), of_beams, np.repeat(at["node"], 3)[held.free]]).astype(np.int64)
+        self.row = self.at
+        self._kept: dict[str, Any] = {}
+
+    def _forces(self, system: System, held: System, x: Floats) -> tuple[Floats, Known]:
+        loads = loads_at(system, np.array([self.time]), self.case, self.word).at(x[None])
+        flexible = flexibility(held, x)
+        flexible[rigid_rows(held, self.rigid)] = 0.0
+        return flexible, known_forces(system, held, x, loads)
+
+    def _equations(self, system: System) -> _Equations:
+        """Those at other numbers, with the rows with kinks in the state that they have."""
+        if self._last is None or self._last[0] is not system:
+            held, x = stiff_rows(system), positions_of(system, self.place)
+            flexible, known = self._forces(system, held, x)
+            kinks = kinks_of(held, x, flexible)
+            laws = kinks.laws(self.found.state, flexible, known.tension)
+            rows, only = with_beams(held, x), elements_only(held, x)
+            self._last = system, _Equations(held, x, known, kinks, *laws, rows, only, given_displacements(held, x))
+        return self._last[1]
+
+    def residual(self, system: System) -> Floats:
+        """r at other numbers."""
+        at = self._equations(system)
+        whole, soft = at.rows
+        N, u = self.unknown[: self.forces], self.unknown[self.forces :]
+        slack = np.append(np.isinf(at.flexible), np.zeros(len(soft), np.bool_))
+        f = np.concatenate([np.where(slack[: self.rows], 0.0, at.flexible), soft])
+        given = np.append(at.given, np.zeros(len(soft)))
+        push = at.known.load + at.known.continua_force
+        rows = np.where(slack, N, f * N + given - whole @ u)
+        inner = (at.only @ self._whole(at.held, u) - push)[at.held.free]
+        return np.concatenate([rows, whole.T @ N + whole[: self.rows].T @ at.tension + inner])
+
+    def _whole(self, held: System, u: Floats) -> Floats:
+        found = np.zeros(held.x0.size)
+        found[held.free] = u
+        return found
+
+    def transposed(self, right: Floats) -> Floats:
+        """z: the matrix for (N, -u) is symmetric, so z has the forces and displacements under the seeds as loads."""
+        at = self._equations(self.system)
+        load = np.zeros((len(right), at.x.size))
+        load[:, at.held.free] = -right[:, self.forces :]
+        moved, force = solve_each(at.held, at.x, self.found.flexible, load, -right[:, : self.forces])
+        return np.concatenate([force, -moved[:, at.held.free]], axis=1)
+
+    def _solved(self, system: System, unknown: Floats) -> tuple[Any, ...]:
+        """The arguments of `linear_statics.variables` at other numbers and unknowns."""
+        at, whole = self._equations(system), self._equations(system).rows[0]
+        N, u = unknown[: self.rows], self._whole(at.held, unknown[self.forces :])
+        slack = np.isinf(at.flexible)
+        inner = at.only @ u
+        inner[at.held.free] += whole[self.rows :].T @ unknown[self.rows : self.forces]
+        stretched = np.where(slack, 0.0, at.flexible) * N + at.given
+        elongation = np.where(slack, whole[: self.rows] @ u[at.held.free], stretched)
+        solved = Solved(displacement=u, elongation=elongation, force=N, errors=(0.0, 0.0), inner=inner)
+        stored = stored_energy(at.kinks, solved, at.tension, at.given)
+        laws: Any = {"flexible": at.flexible, "tension": at.tension, "given": at.given}
+        found = replace(self.found, solved=solved, stored=stored, **laws)
+        return system, at.held, at.x, found, at.known, at.gradients
+
+    @cached_property
+    def here(self) -> xr.Dataset:
+        """The results at the solution."""
+        columns, coords = variables(*self._solved(self.system, self.unknown))
+        return xr.Dataset(columns, coords=coords)
+
+    def data(self) -> xr.Dataset:
+        """The results as users read them, with what follows from them for a design."""
+        found = users(self.here)
+        more = self.columns(self.system, self.unknown, ("axial_stress", "mass"))
+        found["axial_stress"] = variable(("member",), more["axial_stress"], "Pa", "axial force over the area")
+        return found.assign(mass=variable((), np.asarray(more["mass"].sum()), "kg", "mass of the model"))
+
+    def columns(self, system: System, unknown: Floats, names: Sequence[str]) -> dict[str, Floats]:
+        """The named results."""
+        found = {"mass": mass_by_nodes(system)} if "mass" in names else {}
+        if others := [name for name in names if name != "mass"]:
+            given = self._solved(system, unknown)
+            data = variables(*given)[0]
+            for name in others:
+                if name in _SUMS:
+                    found[name] = _SUMS[name](*given[3:5])
+                elif name == "axial_stress":
+                    found[name] = (data["member_force"].values / system.area)[self.kept("member_force")]
+                else:
+                    found[name] = np.asarray(data[name].values[self.kept(name)])
+        return found
+
+    def sites(self, name: str) -> NDArray[np.int64]:
+        """By the node, member or support of each value."""
+        at = sites(self.system)
+        if name == "mass":
+            return at["node"]
+        if name in _SUMS:
+            return np.concatenate([self.at[: self.rows], np.repeat(at["node"], 3)])
+        of = "member_force" if name == "axial_stress" else name
+        return np.asarray(sites_along(self.system, self.here[of])[self.kept(of)])
+
+    def kept(self, name: str) -> Any:
+        """Where the values of a variable that users read are among all."""
+        if name not in self._kept:
+            self._kept[name] = users_of(self.here, name)
+        return self._kept[name]
+
+
+def _energies(found: OneSided, known: Known) -> Floats:
+    """The terms of the energy: of rows, then of the elements without rows by coordinates."""
+    moved = found.solved.displacement
+    return np.concatenate([found.stored, (0.5 * found.solved.inner - known.continua_force) * moved])
+
+
+def _works(found: OneSided, known: Known) -> Floats:
+    """The terms of the work: of settlements by rows, of loads by coordinates."""
+    return np.concatenate([-0.5 * found.solved.force * found.given, 0.5 * known.load * found.solved.displacement])
+
+
+_SUMS = {"energy": _energies, "work": _works}
+"""Results that are sums, by their terms."""

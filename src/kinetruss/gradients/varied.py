@@ -1,0 +1,207 @@
+"""The numbers of a model by which results are differentiated: where they stand among the numbers of a `System`.
+
+A number of the model, named by its path, usually stands as it is in one place or several of the numbers of `mechanics.numbers`,
+from which all tables of the elements follow. The places are found by changing all of them together, each by another small
+amount. Numbers that a model computes from it (places of inner nodes, of hubs, of bodies) have derivatives by differences.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
+from functools import cached_property
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from kinetruss.errors import InputError, few
+from kinetruss.gradients.differences import FOUR
+from kinetruss.gradients.nearness import Near, near_nodes, parts_of
+from kinetruss.io.values import changed, resolved
+from kinetruss.mechanics import System, compile
+from kinetruss.mechanics.numbers import numbers_of, system_at
+from kinetruss.model import Model
+from kinetruss.model.references import matched
+
+if TYPE_CHECKING:
+    from numpy.typing import NDArray
+
+    Keys = tuple[str | int, ...]
+
+APART = 1e-11
+"""Relative distance of the values by which numbers are told from each other."""
+STEP = 2e-4
+"""Step of differences, as a fraction of a number or of its scale."""
+
+Wrt = Sequence[str | Sequence[str]]
+
+
+@dataclass(frozen=True, eq=False)
+class Varied:
+    """names (K,) of the numbers; paths : of each, which all have its value; keys, as `resolved`. value, scale (K,): values, and
+    what a change is compared with. system : the model with each of them in a place of its own, at these values. base, places :
+    by name the numbers of the system that depend on them, at these values; their flat places, on which (K) they do, and how.
+    """
+
+    model: Model
+    names: tuple[str, ...]
+    paths: tuple[tuple[str, ...], ...]
+    keys: tuple[tuple[Keys, ...], ...]
+    value: NDArray[np.float64]
+    scale: NDArray[np.float64]
+    system: System
+    base: Mapping[str, NDArray[np.float64]]
+    places: Mapping[str, tuple[NDArray[np.int64], NDArray[np.int64], NDArray[np.float64]]]
+
+    def changed(self, change: NDArray[np.float64]) -> System:
+        """The system with the numbers changed by (K,)."""
+        changes = {name: own.copy() for name, own in self.base.items()}
+        for name, (flat, which, slope) in self.places.items():
+            np.add.at(changes[name].reshape(-1), flat, slope * change[which])
+        return system_at(self.system, changes)
+
+    def model_at(self, change: NDArray[np.float64]) -> Model:
+        """The model with the numbers changed by (K,)."""
+        at = self.value + change
+        return changed(self.model, [(keys, float(at[k])) for k in np.flatnonzero(change) for keys in self.keys[k]])
+
+    @cached_property
+    def near(self) -> list[Near]:
+        """For each number the nodes of the parts on which it acts; None: everywhere."""
+        return near_nodes(parts_of(self.system), self.keys)
+
+
+def varied(model: Model, wrt: Wrt) -> Varied:
+    """The numbers of a model named by paths, or by groups of paths that have one value together.
+
+    Parameters
+    ----------
+    wrt : dotted paths as for `io.set_value`, such as ``bars.M7.section.area`` or ``nodes.C.at.0``; a star stands for all that
+        fit, each a number of its own; a tuple or list of paths is one number.
+
+    Raises
+    ------
+    InputError : an unknown path; what is there is no number; members of a group with different values; a number given twice.
+    """
+    if isinstance(wrt, str):
+        wrt = [wrt]
+    groups = [group for one in wrt for group in _groups(model, one)]
+    if not groups:
+        raise InputError("No number is named by which to differentiate. Give paths, such as 'bars.M1.section.area'.")
+    keys = tuple(tuple(resolved(model, path) for path in group) for group in groups)
+    flat = [one for own in keys for one in own]
+    if len(set(flat)) < len(flat):
+        twice = next(".".join(map(str, one)) for one in flat if flat.count(one) > 1)
+        raise InputError(f"{twice} is named twice, by two paths or by one name. Leave one out.")
+    value = np.array([_value(model, group, own) for group, own in zip(groups, keys, strict=True)])
+    names = tuple(group[0] if len(group) == 1 else f"{group[0]} and {len(group) - 1} more" for group in groups)
+    scale = _scales(model, keys, value)
+    system, base, places = _placed(model, keys, value, scale)
+    return Varied(model, names, tuple(map(tuple, groups)), keys, value, scale, system, base, places)
+
+
+def _groups(model: Model, one: str | Sequence[str]) -> list[list[str]]:
+    """The groups that an entry of `wrt` names: one of all its paths, or one for each that fits a pattern."""
+    if not isinstance(one, str):
+        return [[path for pattern in one for path in _fitting(model, pattern)]]
+    return [[path] for path in _fitting(model, one)]
+
+
+def _fitting(model: Model, pattern: str) -> list[str]:
+    """The paths that fit; stars, and [..] choices, stand for the names of a table."""
+    if not isinstance(pattern, str):
+        raise InputError(f"{pattern!r} is no path. Write for example 'bars.M1.section.area'.")
+    if not any(sign in pattern for sign in "*?["):
+        return [pattern]
+    table, _, rest = pattern.partition(".")
+    names = list(getattr(model, table, ()) or ())
+    for count in range(rest.count(".") + 1, 0, -1):  # names may have dots
+        parts = rest.split(".")
+        if found := matched(names, ".".join(parts[:count])):
+            tail = ".".join(parts[count:])
+            return [f"{table}.{name}.{tail}" if tail else f"{table}.{name}" for name in found]
+    raise InputError(f"No part of the model fits {pattern!r}. {table} has: {few(names, 8) or 'nothing'}.")
+
+
+def _value(model: Model, group: Sequence[str], keys: Sequence[Keys]) -> float:
+    """The value that all paths of a group have."""
+    found = []
+    for path, own in zip(group, keys, strict=True):
+        here: Any = model
+        for key in own:
+            here = getattr(here, str(key)) if hasattr(type(here), "model_fields") else here[key]
+        if isinstance(here, bool) or not isinstance(here, int | float):
+            said = "is not set" if here is None else "is no number"
+            raise InputError(f"{path} {said}, so nothing can be differentiated by it. Name one number that the model has.")
+        found.append(float(here))
+    if any(abs(one - found[0]) > 1e-12 * abs(found[0]) for one in found):
+        raise InputError(f"{group[0]} and {group[-1]} are to be one number, but have different values. Name them apart.")
+    return found[0]
+
+
+def _scales(model: Model, keys: Sequence[Sequence[Keys]], value: NDArray[np.float64]) -> NDArray[np.float64]:
+    """What changes are compared with: the size of the structure for places, else the value, or 1."""
+    places: list[tuple[float, ...]] = [node.at for node in model.nodes.values() if not node.scalar]
+    at = np.array(places or [(1.0,)])
+    size = float(np.ptp(at, axis=0).max(initial=0.0)) or 1.0
+    placing = np.array([own[0][0] == "nodes" and "at" in own[0] for own in keys])
+    return np.where(placing, size / np.sqrt(len(at)), np.where(value != 0.0, np.abs(value), 1.0))
+
+
+Places = dict[str, tuple["NDArray[np.int64]", "NDArray[np.int64]", "NDArray[np.float64]"]]
+
+
+def _placed(
+    model: Model, groups: Sequence[Sequence[Keys]], value: NDArray[np.float64], scale: NDArray[np.float64]
+) -> tuple[System, dict[str, NDArray[np.float64]], Places]:
+    """The system with each number in a place of its own, the numbers that depend on them, and their places.
+
+    Of values that all differ a little from those of the model, entries that are one of them follow it; others are computed.
+    """
+    mark = APART * (1.0 + np.arange(len(groups))) * scale
+
+    def at(values: NDArray[np.float64]) -> System:
+        pairs = zip(groups, values, strict=True)
+        return compile(changed(model, [(path, float(one)) for group, one in pairs for path in group]))
+
+    system, other = at(value + mark), at(value + 2 * mark)
+    a, b = numbers_of(system), numbers_of(other)
+    index = {float(one): k for k, one in enumerate(value + mark)}
+    base: dict[str, NDArray[np.float64]] = {}
+    places: Places = {}
+    computed: dict[str, NDArray[np.int64]] = {}
+    for name, own in a.items():
+        flat, moved = own.reshape(-1), b[name].reshape(-1)
+        if flat.shape != moved.shape:
+            raise InputError("Numbers named here change which parts the model has: by value or because it is 0. Name others.")
+        where = np.flatnonzero((flat != moved) & ~np.isnan(flat))
+        which = np.array([index.get(float(one), -1) for one in flat[where]], np.int64)
+        same = (which >= 0) & (moved[where] == (value + 2 * mark)[which])
+        if len(where):
+            base[name] = own.copy()
+            base[name].reshape(-1)[where[same]] = value[which[same]]
+            places[name] = (where[same], which[same], np.ones(int(same.sum())))
+        if not same.all():
+            computed[name] = where[~same]
+    for k in range(len(groups) if computed else 0):
+        slopes = _by_differences(lambda values: numbers_of(at(values)), value + mark, STEP * scale, k, computed)
+        for name, slope in slopes.items():
+            base[name].reshape(-1)[computed[name]] -= slope * mark[k]
+            on = slope != 0.0
+            new = computed[name][on], np.full(int(on.sum()), k), slope[on]
+            places[name] = tuple(np.concatenate(pair) for pair in zip(places[name], new, strict=True))  # type: ignore[assignment]
+    return system_at(system, base), base, places
+
+
+def _by_differences(
+    numbers: Any, value: NDArray[np.float64], step: NDArray[np.float64], k: int, where: Mapping[str, NDArray[np.int64]]
+) -> dict[str, NDArray[np.float64]]:
+    """Derivatives by number k of those numbers that a model computes from it."""
+    found = {name: np.zeros(len(own)) for name, own in where.items()}
+    for share, weight in FOUR:
+        changed = value.copy()
+        changed[k] += share * step[k]
+        at = numbers(changed)
+        for name, own in where.items():
+            found[name] += weight * at[name].reshape(-1)[own] / step[k]
+    return found
