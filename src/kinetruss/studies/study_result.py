@@ -90,7 +90,7 @@ def load_study(path: str | Path) -> StudyResult:
     >>> with tempfile.TemporaryDirectory() as folder:
     ...     _ = kt.studies.run_study(study, folder + "/masses", workers=1)
     ...     kt.studies.load_study(folder + "/masses").data["m"].values.round(3).tolist()  # kg
-    [1.385, 1.885]
+    [1.053, 1.553]
     """
     with opened(Path(path)) as ledger:
         return result_of(ledger)

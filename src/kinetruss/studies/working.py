@@ -20,6 +20,7 @@ from kinetruss.model import Model
 from kinetruss.runs.plans import chosen_run
 from kinetruss.runs.processes import beside, processors
 from kinetruss.runs.variant_sets import Base
+from kinetruss.studies.brief_runs import LEVELS
 from kinetruss.studies.evaluating import DIED, FAILED, REFUSED, Outcome, Rows, Task, evaluate, outcome_of
 from kinetruss.studies.kept_numbers import Kept
 from kinetruss.studies.ledger import PAUSE, Contents, Ledger, claimed, in_memory, write_parquet
@@ -98,7 +99,7 @@ def run_study(
     ... )
     >>> found = kt.studies.run_study(study, workers=1)
     >>> found.data["nodes.C.mass"].values.tolist(), found.data["peak"].values.round(2).tolist()  # kg, N
-    ([0.2, 0.6, 1.0], [8.97, 16.39, 23.8])
+    ([0.2, 0.6000000000000001, 1.0], [6.6, 11.06, 15.6])
     """
     file = None if isinstance(study, Study) else Path(study)
     given = study_of(study, max_size)
@@ -207,12 +208,12 @@ class _Job:
         here before that did not end, so that the processes have its kernels.
         """
         if (known := ledger.about("nominal")) is not None:
-            self.task = replace(self.task, full=bool(ledger.about("full")))
+            self.task = replace(self.task, level=ledger.about("level") or LEVELS[-1])
             return None if known == "begun" else Outcome(**known)
         ledger.note("nominal", "begun")
         rows: Rows = [(NOMINAL, {})]
-        for full in (False, True):  # what the brief run does not have may be in the full one
-            self.task = replace(self.task, full=full)
+        for level in LEVELS:  # what a brief run does not have, a fuller one may have
+            self.task = replace(self.task, level=level)
             outcomes = evaluate(self.task, rows) if local else next(one for _, one in executor(self.task, [rows]))
             if outcomes is None:
                 return None
@@ -221,7 +222,7 @@ class _Job:
                 break
         else:
             raise InputError(found.message)
-        ledger.note("full", self.task.full)
+        ledger.note("level", self.task.level)
         if check and local:
             self._check_influence(found)
         ledger.note("nominal", {name: getattr(found, name) for name in Outcome.__dataclass_fields__})
