@@ -8,19 +8,18 @@ The numbers are those of `runs.run`.
 
 from __future__ import annotations
 
-from collections.abc import Iterable
+from collections.abc import Iterable, Mapping
 from dataclasses import replace
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from kinetruss.dynamics.prepared import prepare
+from kinetruss.dynamics.prepared import Places, prepare
 from kinetruss.errors import InputError
 from kinetruss.mechanics import arrange, compile
-from kinetruss.model import Model
+from kinetruss.model import Model, turns
 from kinetruss.model.runs import MISSION
 from kinetruss.results import Arrays, Axes, Forces, Motion, variable
-from kinetruss.results.wide_tables import drive_unit
 from kinetruss.runs.blocks import blocks
 from kinetruss.runs.joining import Accumulator, in_memory, notes_of
 from kinetruss.runs.missions import run_mission
@@ -28,6 +27,11 @@ from kinetruss.runs.plans import SIMULATED, Plan, plan
 from kinetruss.runs.results import RunResult
 from kinetruss.runs.running import run
 from kinetruss.threads import one_thread
+
+if TYPE_CHECKING:
+    from numpy.typing import NDArray
+
+    Floats = NDArray[np.float64]
 
 LEVELS = ("forces", "judged", "full")
 """How much of a run is computed, from the least."""
@@ -78,51 +82,69 @@ def _joined(job: Plan, found: Iterable[Any]) -> RunResult:
 def _forces_alone(job: Plan) -> RunResult | None:
     """Motion and forces of a run by `dynamics.prepare`; None if that is not enough."""
     system = compile(job.model)
-    unit = drive_unit(system)[0]
-    plain = job.run.analysis == "dynamics.inverse" and job.given is None and job.condition is None and unit in FORCE
+    plain = job.run.analysis == "dynamics.inverse" and job.given is None and job.condition is None and _unit(job.model) in FORCE
     if not plain or job.run.trajectory is None or len(job.times) > job.block or system.inner.nodes or not arrange(system).plan:
         return None
-    dim, axes = system.dim, _axes(job.model)
-    ready = [prepare(job.model, case) for case in job.cases]
-    places = ready[0].follow(job.run.trajectory, times=job.times)
+    ready = {case or "all": prepare(job.model, case) for case in job.cases}
+    places = next(iter(ready.values())).follow(job.run.trajectory, times=job.times)
     if not len(places.t):
         return None
-    nodal, driven = ("time", "node", "axis"), ("time", "drive")
-    moved = {
-        "position": variable(nodal, places.position[..., :dim], "m", "node position"),
-        "velocity": variable(nodal, places.velocity[..., :dim], "m/s", "node velocity"),
-        "acceleration": variable(nodal, places.acceleration[..., :dim], "m/s^2", "node acceleration"),
-        "drive_position": variable(driven, places.drive_position, unit, "drive coordinate"),
-        "drive_velocity": variable(driven, places.drive_velocity, f"{unit}/s", "drive rate"),
-    }
-    motion = Motion(data=Arrays(axes, places.t, moved, {}).later, status=places.status, message=places.message)
     forces = {}
-    for case, one in zip(job.cases, ready, strict=True):
+    for case, one in ready.items():
         try:
             found = one.forces(places)
         except InputError:  # the positions are not in balance, of which the message of the forces tells
             return None
         if found.not_unique.any():
-            return None  # of which the message of the forces tells
+            return None  # of which it tells too
+        forces[case] = (found.member_force, found.drive_force)
+    whole = run_of_arrays(job.model, job.name, places, forces)
+    return replace(whole, samples=len(job.times))
+
+
+def run_of_arrays(model: Model, name: str, places: Places, forces: Mapping[str, tuple[Floats, Floats]]) -> RunResult:
+    """A run of a motion, and by load case of the forces (times, members) and (times, drives), N or N m."""
+    axes, unit = _axes(model), _unit(model)
+    nodal, driven = ("time", "node", "axis"), ("time", "drive")
+    x, v, a = (one[..., : model.dim] for one in (places.position, places.velocity, places.acceleration))
+    moved = {
+        "position": variable(nodal, x, "m", "node position"),
+        "velocity": variable(nodal, v, "m/s", "node velocity"),
+        "acceleration": variable(nodal, a, "m/s^2", "node acceleration"),
+        "drive_position": variable(driven, places.drive_position, unit, "drive coordinate"),
+        "drive_velocity": variable(driven, places.drive_velocity, f"{unit}/s", "drive rate"),
+    }
+    motion = Motion(data=Arrays(axes, places.t, moved, {}).later, status=places.status, message=places.message)
+    found = {}
+    for case, (member, drive) in forces.items():
         carried = {
-            "member_force": variable(("time", "member"), found.member_force, "N", "mean axial force, tension positive"),
-            "drive_force": variable(driven, found.drive_force, FORCE[unit], "drive force or torque"),
+            "member_force": variable(("time", "member"), member, "N", "mean axial force, tension positive"),
+            "drive_force": variable(driven, drive, FORCE[unit], "drive force or torque"),
         }
-        data = Arrays(axes, places.t, carried, {}).later
-        forces[case or "all"] = Forces(data=data, motion=motion, load_case=case or "all")
+        found[case] = Forces(data=Arrays(axes, places.t, carried, {}).later, motion=motion, load_case=case)
     return RunResult(
-        model=job.model,
-        given=job.origin,
-        name=job.name,
+        model=model,
+        given=model,
+        name=name,
         motion=motion,
-        forces=forces,
+        forces=found,
         status=places.status,
         message=places.message,
-        samples=len(job.times),
+        samples=len(places.t),
     )
 
 
 def _axes(model: Model) -> Axes:
-    system = compile(model)
-    names = {"node": system.nodes, "member": system.members, "drive": system.drives, "axis": tuple("xyz"[: system.dim])}
+    names = {
+        "node": list(model.nodes),
+        "member": list(model.members),
+        "drive": list(model.all_drives),
+        "axis": list("xyz"[: model.dim]),
+    }
     return Axes({axis: np.array(own, dtype=object).astype(str) for axis, own in names.items()})
+
+
+def _unit(model: Model) -> str:
+    """The unit of the positions of all drives; empty if they have several."""
+    units = {"rad" if turns(one) else "m" for one in model.all_drives.values()}
+    return units.pop() if len(units) == 1 else "" if units else "m"

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 import time
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
@@ -15,6 +16,7 @@ from kinetruss.model import Model
 from kinetruss.runs.variant_sets import Base
 from kinetruss.studies.brief_runs import LEVELS, brief
 from kinetruss.studies.kept_numbers import Kept
+from kinetruss.studies.side_by_side import Copies
 
 REFUSED, FAILED, DIED = "REFUSED", "FAILED", "DIED"
 """Status of a variant without a run: the model does not allow its values; it raised an error; its process died."""
@@ -52,6 +54,10 @@ class Task:
 Rows = Sequence[tuple[int, Mapping[str, Any]]]
 """Rows of a study with their values, path -> value."""
 
+LEAST = 8
+"""Rows from which on copies are worth their making."""
+CLOSE = 1e-9
+"""Largest relative difference of variants together from those alone."""
 _alone = Lock()
 """One variant at a time in a process, whatever threads ask for them."""
 
@@ -59,8 +65,62 @@ _alone = Lock()
 def evaluate(task: Task, rows: Rows) -> list[Outcome]:
     """The outcomes of some rows. An error of a variant is its outcome."""
     with _alone:
-        base, kept = _prepared(task)
-        return [evaluated(base, task, kept, row, values) for row, values in rows]
+        base, kept, copies = ready(task, rows)
+        if copies is None:
+            return [evaluated(base, task, kept, row, values) for row, values in rows]
+        found = []
+        for first in range(0, len(rows), copies.count):
+            found += _together(base, task, kept, copies, rows[first : first + copies.count])
+        return found
+
+
+def ready(task: Task, rows: Rows) -> tuple[Base, Kept, Copies | None]:
+    """What a process keeps for the rows of a study; copies of the model beside each other for many rows, if they are good."""
+    base, kept = _prepared(task)
+    together = len(rows) >= LEAST and task.level == LEVELS[0] and not kept.judged
+    return base, kept, _copies(task, tuple(rows[0][1])) if together else None
+
+
+@lru_cache(maxsize=4)
+def _copies(task: Task, paths: tuple[str, ...]) -> Copies | None:
+    """Copies of the model beside each other, if they are good for it: the first two have the numbers that they have alone."""
+    base, kept = _prepared(task)
+    model = base.with_({})
+    try:
+        copies = Copies(model, task.run, paths)
+        pair = copies.runs([model, model])
+    except KinetrussError:
+        return None
+    alone = outcome_of(model, task, kept, 0, 0.0).numbers
+    if pair is None or alone is None:
+        return None
+    both = [kept(run, {"mass": mass}) for run, mass in pair]
+    return copies if all(_close(one, alone) for one in both) else None
+
+
+def _close(one: Mapping[str, float], other: Mapping[str, float]) -> bool:
+    pairs = [(one[name], other[name]) for name in other]
+    return all(abs(a - b) <= CLOSE * abs(b) or (math.isnan(a) and math.isnan(b)) for a, b in pairs)
+
+
+def _together(base: Base, task: Task, kept: Kept, copies: Copies, rows: Rows) -> list[Outcome]:
+    """The outcomes of rows whose runs are done together; one after the other where one of them is not complete."""
+    started, found, models = time.perf_counter(), list[Outcome](), dict[int, Model]()
+    for row, values in rows:
+        try:
+            models[row] = base.with_(values)
+        except KinetrussError as error:
+            found.append(Outcome(row, REFUSED, plain(str(error))))
+    try:
+        runs = copies.runs(list(models.values()))
+    except KinetrussError:
+        runs = None
+    if runs is None:
+        return [*found, *(outcome_of(model, task, kept, row, time.perf_counter()) for row, model in models.items())]
+    numbers = [kept(run, {"mass": mass}) for run, mass in runs]
+    seconds = (time.perf_counter() - started) / len(rows)
+    done = [Outcome(row, "COMPLETED", "", seconds, one, kept.units) for row, one in zip(models, numbers, strict=True)]
+    return found + done
 
 
 @lru_cache(maxsize=4)

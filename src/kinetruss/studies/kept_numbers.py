@@ -151,27 +151,29 @@ class Kept:
         self.judged = bool(names & JUDGED) or any(STANDARD[one].judged for one in names & set(STANDARD))
         self.units = {name: STANDARD[text].unit for name, text in self.texts.items() if text in STANDARD}
 
-    def __call__(self, run: RunResult) -> dict[str, float]:
-        """The numbers of a run by name; NaN what is not known of it.
+    def __call__(self, run: RunResult, known: Mapping[str, float] | None = None) -> dict[str, float]:
+        """The numbers of a run by name; NaN what is not known of it. known : of `STANDARD`, those that need not be found.
 
         Raises
         ------
         InputError : a result that the run does not have.
         """
         own: Sheet | None = None
+        known = known or {}
         found = {}
         for name, text in self.texts.items():
             if text in STANDARD:
-                found[name] = float(STANDARD[text].of(run))
+                found[name] = known[text] if text in known else float(STANDARD[text].of(run))
                 continue
             own = own or sheet(run)
-            found[name], self.units[name] = _response(run, own, name, text)
+            found[name], self.units[name] = _response(run, own, known, name, text)
         return found
 
 
-def _response(run: RunResult, own: Sheet, name: str, text: str) -> tuple[float, str]:
+def _response(run: RunResult, own: Sheet, known: Mapping[str, float], name: str, text: str) -> tuple[float, str]:
     words = [word for word in dict.fromkeys(NAME.findall(text)) if word in STANDARD and word not in own.data_vars]
-    more = {word: Column((), np.asarray(STANDARD[word].of(run)), {"units": STANDARD[word].unit}) for word in words}
+    values = {word: known[word] if word in known else STANDARD[word].of(run) for word in words}
+    more = {word: Column((), np.asarray(value), {"units": STANDARD[word].unit}) for word, value in values.items()}
     try:
         read = read_response(text, cast("xr.Dataset", own), more)
     except InputError as error:

@@ -21,7 +21,7 @@ from kinetruss.runs.plans import chosen_run
 from kinetruss.runs.processes import beside, processors
 from kinetruss.runs.variant_sets import Base
 from kinetruss.studies.brief_runs import LEVELS
-from kinetruss.studies.evaluating import DIED, FAILED, REFUSED, Outcome, Rows, Task, evaluate, outcome_of
+from kinetruss.studies.evaluating import DIED, FAILED, Outcome, Rows, Task, evaluate, outcome_of, ready
 from kinetruss.studies.kept_numbers import Kept
 from kinetruss.studies.ledger import PAUSE, Contents, Ledger, claimed, in_memory, write_parquet
 from kinetruss.studies.sampling import points_of
@@ -42,6 +42,8 @@ TRIES = 3
 """How often a row may cost the process that computes it."""
 BATCH = 0.5
 """Seconds of work that a process is given at once."""
+PILOT = 2
+"""Batches of each process that tell how long a row takes."""
 LARGEST = 512
 """Most rows in a batch."""
 PROBES = 10.0
@@ -66,7 +68,7 @@ def run_study(
     ----------
     study : a `Study`, or its file. out : folder of the ledger and of ``results.parquet``; the same study goes on there. None
         keeps everything in memory.
-    workers : processes on this machine; by default all processors. cluster : address of the scheduler of a Dask cluster
+    workers : processes on this machine; by default all processors; 0 is this one, which a variant that crashes ends. cluster : address of the scheduler of a Dask cluster
         instead, e.g. ``tcp://127.0.0.1:8786``; all its workers are used. Nothing is started there.
     overwrite : replace another study in `out`. check : refuse variables that change none of the results.
     points : (points, variables) from 0 to 1 instead of the sample of the study, e.g. ``qmc.Halton(2).random(100)`` of SciPy.
@@ -104,7 +106,7 @@ def run_study(
     file = None if isinstance(study, Study) else Path(study)
     given = study_of(study, max_size)
     if workers is not None:
-        whole(workers, "workers")
+        whole(workers, "workers", least=0)
     kept = Kept(given.results)
     parquet = None if out is None else (needed("pyarrow", "export", "A study"), needed("pyarrow.parquet", "export", "A study"))
     try:
@@ -278,28 +280,40 @@ def _executor(workers: int | None, cluster: str | None) -> AbstractContextManage
 
         return connected(cluster)
 
+    def here(task: Task, batches: Sequence[Rows]) -> Iterator[tuple[int, Found]]:
+        for k in range(len(batches)):
+            yield k, evaluate(task, batches[k])
+
     def local(task: Task, batches: Sequence[Rows]) -> Iterator[tuple[int, Found]]:
         lost: list[Outcome] = []
+        ready(task, batches[0])  # so that the processes have it
         for k, found in beside(lambda k: evaluate(task, batches[k]), range(len(batches)), workers, lost=lost):
             yield k, None if found is lost else found
 
-    return nullcontext((local, workers or processors()))
+    return nullcontext((here, 1) if workers == 0 else (local, workers or processors()))
 
 
 def _work(
     ledger: Ledger, executor: Executor, count: int, job: _Job, nominal: Outcome | None, progress: Progress | None
 ) -> None:
-    """Compute all rows that are left; rows whose process dies are tried again by themselves."""
+    """Compute all rows that are left; rows whose process dies are tried again by themselves.
+
+    The first batches tell how long a row takes, and so how many a process is given at once.
+    """
     total, left = ledger.count, ledger.left
-    done, last, died = total - len(left), time.monotonic(), dict[int, int]()
-    seconds = BATCH if nominal is None or nominal.status in (REFUSED, FAILED) else max(nominal.seconds, 1e-6)
-    size = max(1, min(LARGEST, int(BATCH / seconds), math.ceil(len(left) / (4 * count))))
-    known = False
-    batches = [left[k : k + size] for k in range(0, len(left), size)]
+    done, died, again = total - len(left), dict[int, int](), list[list[int]]()
+    known, pilot, last = False, True, time.monotonic()
+    seconds = BATCH if nominal is None or nominal.numbers is None else nominal.seconds
     if progress is not None:
         progress(done, total)
-    while batches:
-        again = list[list[int]]()
+    while left or again:
+        batches, again = again, []
+        if not batches:
+            size = max(1, min(LARGEST, int(BATCH / max(seconds, 1e-6)), math.ceil(len(left) / (4 * count))))
+            most = PILOT * count * size if pilot else len(left)
+            batches = [left[k : k + size] for k in range(0, min(most, len(left)), size)]
+            left = left[sum(map(len, batches)) :]
+        taken = list[float]()
         for k, found in executor(job.task, _Lazy(job, batches)):
             if found is None:
                 rows, found = batches[k], []
@@ -311,6 +325,7 @@ def _work(
                         found.append(Outcome(row, DIED, f"Its process died {TRIES} times."))
             ledger.add(found)
             done += len(found)
+            taken += [one.seconds for one in found if one.numbers is not None]
             if not known and (units := next((one.units for one in found if one.numbers is not None), None)):
                 ledger.set_units(units)
                 known = True
@@ -319,7 +334,9 @@ def _work(
                 last = time.monotonic()
             if progress is not None and found:
                 progress(done, total)
-        batches = again
+        if pilot and taken:
+            seconds = min(taken)  # the first row of a process takes longer
+        pilot = False
 
 
 class _Lazy(Sequence[Any]):
