@@ -122,9 +122,8 @@ def main() -> None:
     for row in found["rows"]:
         print(f"{row['case']:25}{row['ms']:8.2f}{row['per_second_and_core']:15.0f}{row['ratio']:9.1f}")
     if options.large:
-        print(
-            f"{found['large']['variants']} variants on {found['large']['processors']} processors: {found['large']['seconds']:.1f} s"
-        )
+        one = found["large"]
+        print(f"{one['variants']} variants on {one['processors']} processors: {one['seconds']:.1f} s")
 
 
 if __name__ == "__main__":

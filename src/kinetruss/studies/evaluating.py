@@ -144,9 +144,10 @@ def outcome_of(model: Model, task: Task, kept: Kept, row: int, started: float) -
     status, message, numbers = FAILED, "", None
     try:
         found = brief(model, task.run, task.level, kept.judged)
-        status, message = found.status.name, found.partial or found.message
+        early = found.partial
+        status, message = found.status.name, " ".join(filter(None, (early and f"{early}.", found.message)))
         # what ends early, and a mission without some of its pairs, has no numbers
-        numbers = None if found.partial else kept(found)
+        numbers = None if early else kept(found)
     except KinetrussError as error:
         status, message = FAILED, str(error)
     except Exception as error:  # noqa: BLE001 - whatever a model raises is told of that model, and the study goes on

@@ -152,25 +152,33 @@ def _along(one: Variable, u: NDArray[np.float64]) -> list[float | str]:
 def _table(study: Study, path: Path) -> Points:
     try:
         with path.open(newline="", encoding="utf-8-sig") as file:
-            lines = [(number, cells) for number, cells in enumerate(csv.reader(file), 1) if any(map(str.strip, cells))]
+            lines = [
+                (number, cells)
+                for number, cells in enumerate(csv.reader(file, skipinitialspace=True), 1)
+                if any(map(str.strip, cells))
+            ]
     except (OSError, UnicodeDecodeError) as error:
         raise InputError(f"{path} cannot be read: {error}. sample.table is a CSV file beside the study.") from None
     if len(lines) < 2:
-        fault = Fault((), "has no row of values.", "Give a head with the names of the variables, and a row for each variant.")
+        fault = Fault(
+            ("table",), "has no row of values.", "Give a head with the names of the variables, and a row for each variant."
+        )
         raise ModelError([fault], str(path))
     names, faults = tuple(cell.strip() for cell in lines[0][1]), []
     if missing := [name for name in study.variables if name not in names]:
-        faults.append(Fault((), f"has no column {missing[0]!r}.", "Add it, or remove the variable.", 1, 1))
+        faults.append(Fault(("table",), f"has no column {missing[0]!r}.", "Add it, or remove the variable.", 1, 1))
     if twice := [name for name in names if names.count(name) > 1 or not name]:
-        faults.append(Fault((), f"has the column {twice[0]!r} twice, or without a name.", "Give each column one name.", 1, 1))
+        faults.append(
+            Fault(("table",), f"has the column {twice[0]!r} twice, or without a name.", "Give each column one name.", 1, 1)
+        )
     for number, cells in lines[1:]:
         if len(cells) != len(names):
             faults.append(
-                Fault((), f"has {len(cells)} cells, expected {len(names)}.", "Give one for each variable.", number, 1)
+                Fault(("table",), f"has {len(cells)} cells, expected {len(names)}.", "Give one for each variable.", number, 1)
             )
         elif empty := [k for k, cell in enumerate(cells) if not cell.strip()]:
             faults.append(
-                Fault((), f"has no value of {names[empty[0]]!r}.", "Give one; ~ stands for none.", number, empty[0] + 1)
+                Fault(("table",), f"has no value of {names[empty[0]]!r}.", "Give one; ~ stands for none.", number, empty[0] + 1)
             )
     if faults:
         raise ModelError(faults, str(path))

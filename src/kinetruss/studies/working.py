@@ -68,8 +68,9 @@ def run_study(
     ----------
     study : a `Study`, or its file. out : folder of the ledger and of ``results.parquet``; the same study goes on there. None
         keeps everything in memory.
-    workers : processes on this machine; by default all processors; 0 is this one, which a variant that crashes ends. cluster : address of the scheduler of a Dask cluster
-        instead, e.g. ``tcp://127.0.0.1:8786``; all its workers are used. Nothing is started there.
+    workers : processes on this machine; by default all processors; 0: this process, which a variant that crashes ends.
+    cluster : address of the scheduler of a Dask cluster instead, e.g. ``tcp://127.0.0.1:8786``; all its workers are used.
+        Nothing is started there.
     overwrite : replace another study in `out`. check : refuse variables that change none of the results.
     points : (points, variables) from 0 to 1 instead of the sample of the study, e.g. ``qmc.Halton(2).random(100)`` of SciPy.
     progress : called with (rows done, rows). max_size : largest size of a file, bytes.
@@ -176,6 +177,7 @@ class _Job:
                     faults += _unknown(model, name, path)
         if faults:
             raise ModelError(faults)
+        self._check_values()
         for name in self.paths:
             pair = self._ends(name)
             if pair and _used(pair[0], self.run) == _used(pair[1], self.run):
@@ -183,6 +185,24 @@ class _Job:
                 faults.append(Fault(("variables", name), "does nothing: the run is the same for all its values.", mend))
         if faults:
             raise ModelError(faults)
+
+    def _check_values(self) -> None:
+        """Refuse values of which none is allowed, as those in another unit."""
+        count = len(self.points.rows)
+        refused = list[InputError]()
+        for k in dict.fromkeys((0, count // 2, count - 1)):
+            try:
+                self.base.with_(self._values(k, self.points.names))
+                return
+            except InputError as error:
+                refused.append(error)
+        for name in self.points.names:
+            try:
+                self.base.with_(self._values(0, [name]))
+            except ModelError as error:
+                path, faults = ("variables", name), error.faults
+                raise ModelError([Fault(path, f"{one.path[-1]}: {one.message}", one.mend) for one in faults]) from None
+        raise refused[0]
 
     def _ends(self, name: str) -> tuple[Model, Model] | None:
         """The base with two values of one variable; None if it has one alone, or they are not allowed by themselves."""
