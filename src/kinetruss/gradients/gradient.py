@@ -10,20 +10,24 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 import xarray as xr
 
+from kinetruss.dynamics import inverse
 from kinetruss.errors import AnalysisError, InputError
+from kinetruss.gradients.along import followed, inverted, ran
 from kinetruss.gradients.differences import FOUR
 from kinetruss.gradients.linear_point import LinearPoint
-from kinetruss.gradients.points import Point, gradients_at
+from kinetruss.gradients.points import gradients_at
 from kinetruss.gradients.responses import Read, read_response
 from kinetruss.gradients.varied import Varied, Wrt, varied
+from kinetruss.kinematics import follow
 from kinetruss.mechanics import compile
 from kinetruss.model import Model
+from kinetruss.runs import run
 from kinetruss.statics import linear
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray
 
-POINTS: dict[Callable[..., Any], Callable[..., Point]] = {linear: LinearPoint}
+POINTS: dict[Callable[..., Any], Callable[..., Any]] = {linear: LinearPoint, follow: followed, inverse: inverted, run: ran}
 """What gives the gradients of the results of each analysis."""
 
 
@@ -61,7 +65,8 @@ class Response:
 
     @cached_property
     def _read(self) -> Read:
-        return read_response(self.text, POINTS[self.analysis](compile(self.model), **self.arguments).data())
+        point = POINTS[self.analysis](compile(self.model), **self.arguments)
+        return read_response(self.text, point.data(), getattr(point, "more", None))
 
     @property
     def value(self) -> float:
@@ -122,15 +127,16 @@ def value_and_gradient(of: Response | Sequence[Response], wrt: Wrt) -> tuple[Any
 def _found(several: Sequence[Response], by: Varied, single: bool) -> tuple[Any, xr.DataArray]:
     first = several[0]
     point = POINTS[first.analysis](by.system, **first.arguments)
-    data = point.data()
-    read = [read_response(one.text, data) for one in several]
+    data, more = point.data(), getattr(point, "more", None)
+    read = [read_response(one.text, data, more) for one in several]
     for one, own in zip(several, read, strict=True):
         if own.ties:
             raise AnalysisError(
                 f"{one.text} has no gradient here: {'; '.join(own.ties)} equally large. "
                 "Take pnorm(..., 8) or ks(..., r), which are smooth, or name one of them in brackets."
             )
-    found = gradients_at(point, by, [own.seeds for own in read])
+    seeds = [own.seeds for own in read]
+    found = point.gradients(by, seeds) if hasattr(point, "gradients") else gradients_at(point, by, seeds)
     texts = [one.text for one in several]
     values = np.array([own.value for own in read])
     coords = {"number": list(by.names), "response": texts}

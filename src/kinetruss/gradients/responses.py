@@ -8,6 +8,7 @@ from __future__ import annotations
 
 import ast
 import math
+from collections import ChainMap
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass, field
 from fractions import Fraction
@@ -110,7 +111,7 @@ def read_response(text: str, data: xr.Dataset, more: Mapping[str, Any] | None = 
         raise InputError(f"{shown(text)} is no response. Write for example max(abs(member_force)).") from None
     labels = {str(name): [*one.values.tolist()] for name, one in data.coords.items() if one.dims == (name,)}
     own = {str(name): one for name, one in data.data_vars.items()}
-    at = _Data(own | dict(more or {}), labels)
+    at = _Data(ChainMap(own, more or {}), labels)
     try:
         found = _value(tree, text.strip(), at, 0)
     except ExpressionError as error:
