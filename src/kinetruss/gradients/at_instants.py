@@ -21,7 +21,7 @@ from kinetruss.dynamics.prescribed import flat, solve
 from kinetruss.errors import AnalysisError, ModelError, few
 from kinetruss.gradients.differences import Weighed, differences
 from kinetruss.gradients.downstream import at_states
-from kinetruss.gradients.motion_rows import Factors, Prescribed, carried, row_residuals, shares
+from kinetruss.gradients.motion_rows import Factors, Prescribed, carried, row_residuals, softness
 from kinetruss.gradients.nearness import Near, parts_of, site_of_rows, sites
 from kinetruss.gradients.stacked import Unknowns, Weights, by_states
 from kinetruss.gradients.varied import STEP, Varied
@@ -128,13 +128,18 @@ class Instants:
         for x, values in zip(places, base.given.drive[0], strict=True):
             J = constraint_jacobian(system, x)[:, system.free]
             arranged = rearrange(system, x, values) if self.redundant else arrange(system)
-            found.append(Factors(J, arranged.redundant, shares(system, arrange(system).stiff)))
+            found.append(Factors(J, arranged.redundant, self._shares(system)))
         return found
 
     @property
     def redundant(self) -> bool:
         """Whether there are more rows than coordinates."""
         return len(self.system.row_member) > len(self.system.free)
+
+    def _shares(self, system: System) -> Floats:
+        """Weights (rows,) of the sum of w N^2: l/(E A) over a constant where `Arrangement` has it, else 1."""
+        stiff = arrange(self.system).stiff
+        return np.where(stiff, softness(system) / np.mean(softness(self.system)[stiff]), 1.0) if stiff.any() else np.ones(len(stiff))
 
     @cached_property
     def moved(self) -> Floats:
@@ -196,7 +201,7 @@ class Instants:
             moved = np.zeros_like(states.x)
             moved[:, system.free] = np.tile(self.moved, (len(states.x) // len(self.moved), 1))
             along = row_residuals(system, solved.given.still(), States(states.x, moved, np.zeros_like(moved)))[1]
-            found.append(shares(system, arrange(self.system).stiff) * solved.force - along)
+            found.append(self._shares(system) * solved.force - along)
         return np.concatenate(found, axis=1)
 
     def _check(self) -> None:

@@ -93,11 +93,10 @@ def row_residuals(system: System, given: Prescribed, states: States) -> tuple[Fl
     return found[0], found[1], found[2]
 
 
-def shares(system: System, stiff: NDArray[np.bool_]) -> Floats:
-    """Weights (rows,) of the forces of redundant rows, l/(E A) of those that are `stiff`, else 1, as of `Arrangement`."""
+def softness(system: System) -> Floats:
+    """l/(E A) of the members of the rows (rows,), m/N; NaN where it is not known."""
     member = system.row_member
-    soft = system.compliance[member] * system.length0[member] + system.yielding[member]
-    return np.where(stiff, soft / np.mean(soft[stiff]) if stiff.any() else 1.0, 1.0)
+    return np.asarray(system.compliance[member] * system.length0[member] + system.yielding[member])
 
 
 class Factors:

@@ -8,10 +8,12 @@ from __future__ import annotations
 
 import ast
 import math
+import re
 from collections import ChainMap
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass, field
 from fractions import Fraction
+from keyword import kwlist
 from typing import TYPE_CHECKING, Any, NamedTuple
 
 import numpy as np
@@ -37,6 +39,8 @@ DEEPEST = 60
 TIE = 1e-9
 """Values that differ by less than this fraction are equally large."""
 TIME = "time"
+KEYWORD = re.compile(rf"""(?<=[\[, ])({"|".join(kwlist)})(?=\s*[,\]])""")
+"""Names of entries, like yield, that are words of the grammar."""
 
 FUNCTIONS: dict[str, str] = {
     "abs": "abs(x): magnitude",
@@ -171,15 +175,16 @@ def _parsed(text: str, data: xr.Dataset, more: Mapping[str, Any] | None) -> tupl
     """The value of a whole response."""
     if len(text) > LONGEST:
         raise InputError(f"The response has {len(text)} characters, more than {LONGEST}. Make it shorter.")
+    text = KEYWORD.sub(r'"\1"', text.strip())
     try:
-        tree = ast.parse(text.strip(), mode="eval").body
+        tree = ast.parse(text, mode="eval").body
     except (SyntaxError, ValueError, RecursionError, MemoryError):
         raise InputError(f"{shown(text)} is no response. Write for example max(abs(member_force)).") from None
     labels = {str(name): [*one.values.tolist()] for name, one in data.coords.items() if one.dims == (name,)}
     own = {str(name): one for name, one in data.data_vars.items()}
     at = _Data(ChainMap(own, more or {}), labels)
     try:
-        found = _value(tree, text.strip(), at, 0)
+        found = _value(tree, text, at, 0)
     except ExpressionError as error:
         raise InputError(f"The response {shown(text)} {error.message} {error.mend}") from None
     return found, at
@@ -346,7 +351,7 @@ def _size(a: _Value, own: str) -> _Value:
 
     def push(g: Floats) -> None:
         with np.errstate(invalid="ignore", divide="ignore"):
-            a.push(g[..., None] * a.array / length[..., None])
+            a.push(np.where(g[..., None] != 0.0, g[..., None] * a.array / length[..., None], 0.0))
 
     return _Value(length, a.dims[:-1], a.kind, push)
 
@@ -432,8 +437,10 @@ def _instant(a: _Value, t: float | None, name: str, own: str, at: _Data) -> _Val
 
 def _total(name: str, a: _Value, p: float, at: _Data) -> _Value:
     """Sums, means and smooth maxima of all entries."""
-    x = a.array
-    weight = _weights(a, at) if name in ("mean", "rms") else np.ones_like(x)
+    # entries that do not apply are NaN; of those over time all are asked for
+    known = ~np.isnan(a.array) if name in ("sum", "pnorm", "ks") else np.ones(a.array.shape, np.bool_)
+    x = np.where(known, a.array, 0.0)
+    weight = _weights(a, at) if name in ("mean", "rms") else known * 1.0
     kind = a.kind
     if name in ("sum", "mean"):
         found, slope = float((weight * x).sum()), weight
@@ -445,8 +452,8 @@ def _total(name: str, a: _Value, p: float, at: _Data) -> _Value:
         found = top * float(((np.abs(x) / top) ** p).sum()) ** (1.0 / p)
         slope = np.sign(x) * (np.abs(x) / (found or 1.0)) ** (p - 1.0)
     else:
-        top = float(x.max())
-        raised = np.exp(p * (x - top))
+        top = float(x[known].max()) if known.any() else 0.0
+        raised = np.where(known, np.exp(p * (x - top)), 0.0)
         found, slope = top + math.log(float(raised.sum())) / p, raised / raised.sum()
     return _Value(np.array(found), (), kind, lambda g: a.push(g * slope))
 
