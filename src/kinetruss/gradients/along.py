@@ -187,7 +187,9 @@ class _Instants:
         self.case, self.along = of.cases[c], of.by_case[c]
         self.names = [name for name in dict.fromkeys(n for one in seeds for n in one) if name != "mass"]
         self.mass = np.array([float(one["mass"]) if "mass" in one else 0.0 for one in seeds])
-        timed = [np.abs(one[name]).reshape(len(of.times), -1).max(axis=1) for one in seeds for name in self.names if name in one]
+        timed = [
+            np.abs(one[name]).reshape(len(of.times), -1).max(axis=1) for one in seeds for name in self.names if name in one
+        ]
         self.at = np.flatnonzero(np.max(timed, axis=0)) if timed else np.zeros(0, np.int64)
         system = self.system
         self.free = system.free
@@ -432,9 +434,7 @@ def _factors(J: Any) -> Any:
 # The analyses.
 
 
-def followed(
-    system: System, trajectory: Any, samples: int = 201, *, times: ArrayLike | None = None
-) -> AlongPoint:
+def followed(system: System, trajectory: Any, samples: int = 201, *, times: ArrayLike | None = None) -> AlongPoint:
     """`kinematics.follow` along a trajectory, or along one of the model by its name."""
     return AlongPoint(system, Way(trajectory=trajectory, samples=samples, times=times), (None,), Asked())
 
