@@ -129,9 +129,8 @@ def main() -> None:
         print(f"{row['case']:25}{row['ms']:8.2f}{row['per_second_and_core']:15.0f}{row['ratio']:9.1f}")
     if options.large:
         one = found["large"]
-        print(
-            f"{one['variants']} variants on {one['processors']} processors: {one['seconds']:.1f} s, {one['processor_seconds']:.1f} s of them"
-        )
+        spent = f"{one['seconds']:.1f} s, {one['processor_seconds']:.1f} s of a processor"
+        print(f"{one['variants']} variants on {one['processors']} processors: {spent}")
 
 
 if __name__ == "__main__":
