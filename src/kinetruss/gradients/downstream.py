@@ -16,13 +16,13 @@ from kinetruss.actuators.demands import AMPLIFIED, HISTORIES, ROTARY, columns_of
 from kinetruss.dynamics.force_tables import force_arrays
 from kinetruss.gradients.motion_rows import Prescribed, carried
 from kinetruss.kernels.structure.structure import LENGTH, States
-from kinetruss.kinematics.motions import Course, motion_of
+from kinetruss.kinematics.motions import Course, motion_arrays
 from kinetruss.mechanics import System, compile
 from kinetruss.mechanics.matrices import mass_by_nodes
-from kinetruss.results import Forces, Motion, Status, variable
+from kinetruss.results import Forces, Motion, variable
 from kinetruss.results.user_parts import HELD, MARKS
 from kinetruss.strength import sections
-from kinetruss.strength.parts import parts_of
+from kinetruss.strength.parts import parts_of, twisted_parts
 from kinetruss.strength.section_forces import fractions_of
 from kinetruss.strength.utilisations import axes_of_verdict, utilised
 
@@ -54,10 +54,11 @@ class Asked:
 class Along(Mapping[str, Any]):
     """The variables along a motion, each with its axes; found when they are first read.
 
-    motion, forces : of `model`; what follows is of these.
+    motion, forces : of `model`; what follows is of these. rest (times, 3 n) : what is left at the nodes, N.
     """
 
-    def __init__(self, model: Model, asked: Asked, motion: Motion, forces: Forces | None) -> None:
+    def __init__(self, model: Model, asked: Asked, motion: Motion, forces: Forces | None, rest: Floats | None = None) -> None:
+        self.rest = rest
         self.model, self.asked, self.motion, self.forces = model, asked, motion, forces
         self.system = compile(model)
 
@@ -79,7 +80,7 @@ class Along(Mapping[str, Any]):
             take(lambda arrays=arrays: arrays, [name for name in kept if HELD not in arrays[name].dims])
         if self.asked.judged and self.forces is not None:
             take(lambda: self._verdict, VERDICT)
-            take(lambda: self._sections, SECTIONS if self._twists else SECTIONS[:-1])
+            take(lambda: self._sections, SECTIONS if twisted_parts(self.model).any() else SECTIONS[:-1])
             if self.model.actuators:
                 take(lambda: self._demand, DEMAND)
         found["mass"] = lambda: variable((), np.asarray(mass_by_nodes(self.system).sum()), "kg", "mass of the model")
@@ -94,10 +95,6 @@ class Along(Mapping[str, Any]):
 
     def __len__(self) -> int:
         return len(self._sources)
-
-    @cached_property
-    def _twists(self) -> bool:
-        return "torsion" in self._sections
 
     @cached_property
     def _verdict(self) -> Columns:
@@ -182,15 +179,15 @@ def at_states(model: Model, asked: Asked, given: Prescribed, states: States, N: 
     """The variables of a model at states (s, 3 n) with forces N (s, rows) of the rows, of a load case."""
     system = compile(model)
     course = Course(t=given.t, x=states.x, v=states.v, a=states.a, drive=given.drive, attrs={"misfit": np.inf})
-    motion = motion_of(system, course, "given", Status.COMPLETED, "")
+    arrays = motion_arrays(system, course, "given")
     rows = np.flatnonzero((system.row_drive >= 0) & (system.row_kind == LENGTH))
     for name, own in zip(("length", "length_rate", "length_acceleration"), given.drive, strict=True):
         # as prescribed, so that what stands still does so whatever the velocities of its ends
-        motion.arrays[name].values[:, system.row_member[rows]] = own[:, system.row_drive[rows]]
-    forces = None
+        arrays.columns[name].values[:, system.row_member[rows]] = own[:, system.row_drive[rows]]
+    motion, forces, rest = Motion(data=arrays.later), None, np.zeros((len(given.t), system.x0.size))
     if asked.forces:
         loads, solved = carried(system, given.t, case, states, N)
         data = force_arrays(system, motion, loads, solved, at_rest=False)
         data.attrs.update({"at_rest": 0})
-        forces = Forces(data=data.later, status=Status.COMPLETED, motion=motion, load_case=loads.name)
-    return Along(model, asked, motion, forces)
+        forces, rest = Forces(data=data.later, motion=motion, load_case=loads.name), solved["rest"]
+    return Along(model, asked, motion, forces, rest)

@@ -10,9 +10,12 @@ from __future__ import annotations
 from typing import TYPE_CHECKING, Any, NamedTuple
 
 import numpy as np
+from scipy.sparse import block_array, diags_array
+from scipy.sparse.linalg import splu
 
 from kinetruss.dynamics.force_tables import solved_in_space
 from kinetruss.dynamics.simulation_records import solved_by
+from kinetruss.errors import AnalysisError
 from kinetruss.kernels.structure.structure import ANGLE, LENGTH, States
 from kinetruss.mechanics import System, measured
 from kinetruss.mechanics.loads import case_loads
@@ -39,6 +42,11 @@ class Prescribed(NamedTuple):
             return np.tile(one, (count, *[1] * (one.ndim - 1)))
 
         return Prescribed(often(self.t), _each(often, self.drive), _each(often, self.moving))
+
+    def still(self) -> Prescribed:
+        """The same values at rest."""
+        nothing = np.zeros_like(self.drive[0])
+        return self._replace(drive=(self.drive[0], nothing, nothing))
 
 
 def _each(of: Any, three: Histories) -> Histories:
@@ -83,6 +91,47 @@ def row_residuals(system: System, given: Prescribed, states: States) -> tuple[Fl
         for one, own in zip(found, gaps, strict=True):
             one[:, r] = system.measure_scale[m] * own
     return found[0], found[1], found[2]
+
+
+def shares(system: System, stiff: NDArray[np.bool_]) -> Floats:
+    """Weights (rows,) of the forces of redundant rows, l/(E A) of those that are `stiff`, else 1, as of `Arrangement`."""
+    member = system.row_member
+    soft = system.compliance[member] * system.length0[member] + system.yielding[member]
+    return np.where(stiff, soft / np.mean(soft[stiff]) if stiff.any() else 1.0, 1.0)
+
+
+class Factors:
+    """Factors of the rows J (rows, free) at an instant; redundant : rows, and weight (rows,) of the least sum of w N^2."""
+
+    def __init__(self, J: Any, redundant: NDArray[np.int64], weight: Floats) -> None:
+        self.J, self.weight, self.redundant = J, weight, redundant
+        self.kept = np.setdiff1d(np.arange(J.shape[0]), redundant)
+        try:
+            self.own = splu(J.tocsr()[self.kept].tocsc())
+            self.whole = splu(block_array([[diags_array(weight), -J], [-J.T, None]]).tocsc()) if len(redundant) else None
+        except RuntimeError:
+            raise AnalysisError("The position that the response reads is singular, so it has no gradient there.") from None
+
+    def of_states(self, right: Floats) -> Floats:
+        """z (k, rows) of J^T z = right (k, free)."""
+        found = np.zeros((len(right), self.J.shape[0]))
+        found[:, self.kept] = self.own.solve(right.T, trans="T").T
+        return found
+
+    def of_forces(self, right: Floats) -> Floats:
+        """z (k, free) of J z = -right (k, rows); of redundant rows those of J^T N and of w N = J m, (k, free + rows)."""
+        if self.whole is None:
+            return np.asarray(-self.own.solve(right.T).T)
+        rows = right.shape[1]
+        found = self.whole.solve(np.concatenate([right, np.zeros((len(right), self.J.shape[1]))], axis=1).T).T
+        return np.concatenate([found[:, rows:], found[:, :rows]], axis=1)
+
+    def shift(self, force: Floats) -> Floats:
+        """m (free,) of w N = J m."""
+        if self.whole is None:
+            return np.zeros(self.J.shape[1])
+        rows = len(force)
+        return np.asarray(self.whole.solve(np.concatenate([np.zeros(rows), -(self.J.T @ force)]))[rows:])
 
 
 def carried(system: System, t: Floats, case: str | None, states: States, N: Floats) -> tuple[Any, dict[str, Any]]:

@@ -190,7 +190,7 @@ def _placed(
             on = slope != 0.0
             new = computed[name][on], np.full(int(on.sum()), k), slope[on]
             places[name] = tuple(np.concatenate(pair) for pair in zip(places[name], new, strict=True))  # type: ignore[assignment]
-    return replace(system_at(system, base), given=model, model=model.whole), base, places
+    return replace(system_at(system, base), given=model), base, places
 
 
 def _by_differences(

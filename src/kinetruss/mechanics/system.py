@@ -11,6 +11,7 @@ from typing import TYPE_CHECKING, Any, cast
 import numpy as np
 
 from kinetruss.elements.beams import BeamElements
+from kinetruss.elements.caching import OF_RECORDS
 from kinetruss.elements.continua_arrays import Continua
 from kinetruss.elements.numbers import sums_at
 from kinetruss.errors import InputError, shown
@@ -250,8 +251,9 @@ def standing_for(system: System) -> Model:
 
     Its records have the numbers of before: only for what reads the arrays alone. The last few are kept.
     """
-    model = copy(system.given)
-    _instead[ByIdentity(model)] = replace(system, given=model)
+    model, own = copy(system.given), compile(system.given).memory
+    found = _instead[ByIdentity(model)] = replace(system, given=model)
+    found.memory.update({find: own[find] for find in OF_RECORDS if find in own})
     for oldest in list(_instead)[:-8]:
         _instead.pop(oldest, None)
     return model
