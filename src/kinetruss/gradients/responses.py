@@ -41,6 +41,7 @@ TIE = 1e-9
 TIME = "time"
 KEYWORD = re.compile(rf"""(?<=[\[, ])({"|".join(kwlist)})(?=\s*[,\]])""")
 """Names of entries, like yield, that are words of the grammar."""
+OF_MOTORS = {name: (1.0, in_unit(name)) for name in ("V", "A", "kg", "J")}
 
 FUNCTIONS: dict[str, str] = {
     "abs": "abs(x): magnitude",
@@ -255,7 +256,7 @@ def _named(name: str, at: _Data) -> _Value:
         if len({*units}) > 1:
             return _Value(values, tuple(one.dims), NUMBER, push, (dim, units))
         return _Value(values, tuple(one.dims), in_unit(next(iter(units), "")), push)
-    if name in (constants := {**CONSTANTS, **FORCE_UNITS}):
+    if name in (constants := {**CONSTANTS, **FORCE_UNITS, **OF_MOTORS}):
         return _constant(*constants[name])
     raise ExpressionError(f"has {name!r}, which the result does not have.", nearest(name, at.of))
 
