@@ -130,6 +130,8 @@ def _found(several: Sequence[Response], by: Varied, single: bool) -> tuple[Any, 
                 f"{one.text} has no gradient here: {'; '.join(own.ties)} equally large. "
                 "Take pnorm(..., 8) or ks(..., r), which are smooth, or name one of them in brackets."
             )
+        if not all(np.isfinite(seed).all() for seed in own.seeds.values()):
+            raise AnalysisError(f"{one.text} has no gradient here: it has the root or the size of 0, or divides by it.")
     found = gradients_at(point, by, [own.seeds for own in read])
     texts = [one.text for one in several]
     values = np.array([own.value for own in read])

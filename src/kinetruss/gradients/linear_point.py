@@ -13,13 +13,14 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 import xarray as xr
 
+from kinetruss.gradients.kinks import refuse_kinks
 from kinetruss.gradients.nearness import site_of_rows, sites, sites_along
 from kinetruss.mechanics import System, constraint_jacobian
 from kinetruss.mechanics.arguments import number_of, positions_of
 from kinetruss.mechanics.matrices import mass_by_nodes
 from kinetruss.results import variable
 from kinetruss.results.user_parts import users, users_of
-from kinetruss.statics.active_set import Kinks, OneSided, given_displacements, kinks_of, solve_one_sided, stored_energy
+from kinetruss.statics.active_set import PULLS, Kinks, OneSided, given_displacements, kinks_of, solve_one_sided, stored_energy
 from kinetruss.statics.linear_statics import Known, known_forces, rigid_rows, variables
 from kinetruss.statics.small_displacements import (
     Solved,
@@ -82,6 +83,7 @@ class LinearPoint:
         held, x = stiff_rows(system), positions_of(system, position)
         flexible, known = self._forces(system, held, x)
         self.found = solve_one_sided(held, x, flexible, known.tension, known.load + known.continua_force)
+        self.before = kinks_of(held, x, flexible).before
         whole, soft = with_beams(held, x)
         on_beams = (whole[len(flexible) :] @ self.found.solved.displacement[held.free]) / soft
         self.unknown = np.concatenate([self.found.solved.force, on_beams, self.found.solved.displacement[held.free]])
@@ -149,7 +151,7 @@ class LinearPoint:
         stretched = np.where(slack, 0.0, at.flexible) * N + at.given
         elongation = np.where(slack, whole[: self.rows] @ u[at.held.free], stretched)
         solved = Solved(displacement=u, elongation=elongation, force=N, errors=(0.0, 0.0), inner=inner)
-        stored = stored_energy(at.kinks, solved, at.tension, at.given)
+        stored = stored_energy(at.kinks, solved, at.tension, at.given, self.before)
         laws: Any = {"flexible": at.flexible, "tension": at.tension, "given": at.given}
         found = replace(self.found, solved=solved, stored=stored, **laws)
         return system, at.held, at.x, found, at.known, at.gradients
@@ -159,6 +161,18 @@ class LinearPoint:
         """The results at the solution."""
         columns, coords = variables(*self._solved(self.system, self.unknown))
         return xr.Dataset(columns, coords=coords)
+
+    def refuse(self, seeds: Any) -> None:  # noqa: ARG002
+        """Cables, springs with play and stops exactly at a kink of their laws have no gradients."""
+        kinks, solved = self._equations(self.system).kinks, self.found.solved
+        row, on = kinks.row, self.found.state != 0
+        force = (self.found.tension + solved.force)[row]
+        e = np.where(
+            on, np.where(self.found.state > 0, kinks.upper, kinks.lower) + force / kinks.stiffness, solved.elongation[row]
+        )
+        short = kinks.stiffness * np.minimum(np.abs(e - kinks.upper), np.abs(e - kinks.lower))
+        least = PULLS * float(np.abs(solved.force).max(initial=0.0))
+        refuse_kinks(self._equations(self.system).held, row[short <= least])
 
     def data(self) -> xr.Dataset:
         """The results as users read them, with what follows from them for a design."""
