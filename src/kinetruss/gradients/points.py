@@ -18,7 +18,7 @@ import numpy as np
 from kinetruss.errors import AnalysisError
 from kinetruss.gradients.differences import FOUR, TWO, Weighed, differences
 from kinetruss.gradients.nearness import parts_of
-from kinetruss.gradients.varied import STEP, Varied
+from kinetruss.gradients.varied import STEP, TRIED, Varied
 
 if TYPE_CHECKING:
     import xarray as xr
@@ -132,6 +132,14 @@ def _by_unknowns(point: Point, weight: Floats, site: NDArray[np.int64], results:
     used = set(site[np.abs(weight).max(axis=0) > 0].tolist())
     touching = {i: -1 in used or bool(own & used) for i, own in around.items()}
     near = [around.get(i) for i in point.at.tolist()]
-    step = STEP * point.size * np.array([touching.get(i, True) for i in point.at.tolist()], float)
+    step = STEP * point.size
     given = Weighed(lambda change: results(point.system, point.unknown + change), weight, site)
-    return differences(given, near, step, len(names), TWO if point.linear else FOUR)
+    points = TWO if point.linear else FOUR
+    touched = np.array([touching.get(i, True) for i in point.at.tolist()], float)
+    found = differences(given, near, step * touched, len(names), points)
+    trial = TRIED * point.size * np.random.default_rng(2).uniform(0.5, 1.0, len(step))
+    effect = given.of(trial) - given.of(0.0 * trial)
+    size = MISSED * (np.abs(found) @ trial) + NOISE * (np.abs(weight) @ np.abs(effect))
+    if (np.abs(weight @ effect - found @ trial) > size).any():  # some act elsewhere than expected
+        return differences(given, [None] * len(step), step, len(names), points)
+    return found
