@@ -11,19 +11,28 @@ import numpy as np
 import xarray as xr
 
 from kinetruss.errors import AnalysisError, InputError
+from kinetruss.flexible import frequencies
+from kinetruss.gradients.buckling_point import BucklingPoint
 from kinetruss.gradients.differences import FOUR
+from kinetruss.gradients.equilibrium_point import EquilibriumPoint
+from kinetruss.gradients.frequencies_point import FrequenciesPoint
 from kinetruss.gradients.linear_point import LinearPoint
 from kinetruss.gradients.points import Point, gradients_at
 from kinetruss.gradients.responses import Read, read_response
 from kinetruss.gradients.varied import Varied, Wrt, varied
 from kinetruss.mechanics import compile
 from kinetruss.model import Model
-from kinetruss.statics import linear
+from kinetruss.statics import buckling, equilibrium, linear
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray
 
-POINTS: dict[Callable[..., Any], Callable[..., Point]] = {linear: LinearPoint}
+POINTS: dict[Callable[..., Any], Callable[..., Point]] = {
+    linear: LinearPoint,
+    equilibrium: EquilibriumPoint,
+    buckling: BucklingPoint,
+    frequencies: FrequenciesPoint,
+}
 """What gives the gradients of the results of each analysis."""
 
 

@@ -90,7 +90,8 @@ def gradients_at(point: Point, by: Varied, seeds: Sequence[Mapping[str, Floats]]
     def both(system: System) -> Floats:
         return np.concatenate([point.residual(system), results(system, point.unknown)])
 
-    z = point.transposed(_by_unknowns(point, weight, site, results))
+    told = Weighed(lambda change: results(point.system, point.unknown + change), weight, site)
+    z = point.transposed(by_unknowns(point, told))
     weights, sites = np.concatenate([-z, weight], axis=1), np.concatenate([point.row, site])
     placed = Weighed(lambda change: both(by.changed(change)), weights, sites)
     anew = Weighed(lambda change: both(by.compiled(change)), weights, sites)
@@ -124,22 +125,20 @@ def _weights(seeds: Sequence[Mapping[str, Floats]], name: str, here: Floats) -> 
     return found.reshape(len(seeds), -1)
 
 
-def _by_unknowns(point: Point, weight: Floats, site: NDArray[np.int64], results: Any) -> Floats:
-    """(dd/dy)^T w, (k, m): by the unknowns near to what is weighed."""
+def by_unknowns(point: Point, given: Weighed) -> Floats:
+    """Derivatives (k, m) of weighed sums, which take changes (m,) of the unknowns, by those near to what is weighed."""
     parts = parts_of(point.system)
     names = list(parts.index)
     around = {i: parts.around(("nodes", names[i])) for i in np.unique(point.at[point.at >= 0]).tolist()}
-    used = set(site[np.abs(weight).max(axis=0) > 0].tolist())
+    used = set(given.site[np.abs(given.weight).max(axis=0) > 0].tolist())
     touching = {i: -1 in used or bool(own & used) for i, own in around.items()}
     near = [around.get(i) for i in point.at.tolist()]
-    step = STEP * point.size
-    given = Weighed(lambda change: results(point.system, point.unknown + change), weight, site)
-    points = TWO if point.linear else FOUR
+    step, points = STEP * point.size, TWO if point.linear else FOUR
     touched = np.array([touching.get(i, True) for i in point.at.tolist()], float)
     found = differences(given, near, step * touched, len(names), points)
     trial = TRIED * point.size * np.random.default_rng(2).uniform(0.5, 1.0, len(step))
     effect = given.of(trial) - given.of(0.0 * trial)
-    size = MISSED * (np.abs(found) @ trial) + NOISE * (np.abs(weight) @ np.abs(effect))
-    if (np.abs(weight @ effect - found @ trial) > size).any():  # some act elsewhere than expected
+    size = MISSED * (np.abs(found) @ trial) + NOISE * (np.abs(given.weight) @ np.abs(effect))
+    if (np.abs(given.weight @ effect - found @ trial) > size).any():  # some act elsewhere than expected
         return differences(given, [None] * len(step), step, len(names), points)
     return found
