@@ -10,25 +10,32 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 import xarray as xr
 
+from kinetruss.dynamics import inverse
 from kinetruss.errors import AnalysisError, InputError
 from kinetruss.flexible import frequencies
+from kinetruss.gradients.along import followed, inverted, ran
 from kinetruss.gradients.buckling_point import BucklingPoint
 from kinetruss.gradients.differences import FOUR
 from kinetruss.gradients.equilibrium_point import EquilibriumPoint
 from kinetruss.gradients.frequencies_point import FrequenciesPoint
 from kinetruss.gradients.linear_point import LinearPoint
-from kinetruss.gradients.points import Point, gradients_at
+from kinetruss.gradients.points import gradients_at
 from kinetruss.gradients.responses import Read, read_response
 from kinetruss.gradients.varied import Varied, Wrt, varied
+from kinetruss.kinematics import follow
 from kinetruss.mechanics import compile
 from kinetruss.model import Model
+from kinetruss.runs import run
 from kinetruss.statics import buckling, equilibrium, linear
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray
 
-POINTS: dict[Callable[..., Any], Callable[..., Point]] = {
+POINTS: dict[Callable[..., Any], Callable[..., Any]] = {
     linear: LinearPoint,
+    follow: followed,
+    inverse: inverted,
+    run: ran,
     equilibrium: EquilibriumPoint,
     buckling: BucklingPoint,
     frequencies: FrequenciesPoint,
@@ -70,7 +77,8 @@ class Response:
 
     @cached_property
     def _read(self) -> Read:
-        return read_response(self.text, POINTS[self.analysis](compile(self.model), **self.arguments).data())
+        point = POINTS[self.analysis](compile(self.model), **self.arguments)
+        return read_response(self.text, point.data(), getattr(point, "more", None))
 
     @property
     def value(self) -> float:
@@ -131,8 +139,8 @@ def value_and_gradient(of: Response | Sequence[Response], wrt: Wrt) -> tuple[Any
 def _found(several: Sequence[Response], by: Varied, single: bool) -> tuple[Any, xr.DataArray]:
     first = several[0]
     point = POINTS[first.analysis](by.system, **first.arguments)
-    data = point.data()
-    read = [read_response(one.text, data) for one in several]
+    data, more = point.data(), getattr(point, "more", None)
+    read = [read_response(one.text, data, more) for one in several]
     for one, own in zip(several, read, strict=True):
         if own.ties:
             raise AnalysisError(
@@ -141,7 +149,8 @@ def _found(several: Sequence[Response], by: Varied, single: bool) -> tuple[Any, 
             )
         if not all(np.isfinite(seed).all() for seed in own.seeds.values()):
             raise AnalysisError(f"{one.text} has no gradient here: it has the root or the size of 0, or divides by it.")
-    found = gradients_at(point, by, [own.seeds for own in read])
+    seeds = [own.seeds for own in read]
+    found = point.gradients(by, seeds) if hasattr(point, "gradients") else gradients_at(point, by, seeds)
     texts = [one.text for one in several]
     values = np.array([own.value for own in read])
     coords = {"number": list(by.names), "response": texts}
