@@ -17,7 +17,7 @@ from kinetruss.dynamics.force_tables import force_arrays
 from kinetruss.gradients.motion_rows import Prescribed, carried
 from kinetruss.kernels.structure.structure import LENGTH, States
 from kinetruss.kinematics.motions import Course, motion_arrays
-from kinetruss.mechanics import System, compile
+from kinetruss.mechanics import compile
 from kinetruss.mechanics.matrices import mass_by_nodes
 from kinetruss.results import Forces, Motion, variable
 from kinetruss.results.user_parts import HELD, MARKS

@@ -41,6 +41,8 @@ POINTS: dict[Callable[..., Any], Callable[..., Any]] = {
     frequencies: FrequenciesPoint,
 }
 """What gives the gradients of the results of each analysis."""
+ALIKE = 1e-8
+"""Gradients of what is equally large that differ by less than this fraction of the largest derivative are the same."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -142,15 +144,19 @@ def _found(several: Sequence[Response], by: Varied, single: bool) -> tuple[Any, 
     data, more = point.data(), getattr(point, "more", None)
     read = [read_response(one.text, data, more) for one in several]
     for one, own in zip(several, read, strict=True):
-        if own.ties:
-            raise AnalysisError(
-                f"{one.text} has no gradient here: {'; '.join(own.ties)} equally large. "
-                "Take pnorm(..., 8) or ks(..., r), which are smooth, or name one of them in brackets."
-            )
         if not all(np.isfinite(seed).all() for seed in own.seeds.values()):
             raise AnalysisError(f"{one.text} has no gradient here: it has the root or the size of 0, or divides by it.")
-    seeds = [own.seeds for own in read]
+    tied = [k for k, own in enumerate(read) if own.ties]
+    seeds = [own.seeds for own in read] + [read[k].shared for k in tied]
     found = point.gradients(by, seeds) if hasattr(point, "gradients") else gradients_at(point, by, seeds)
+    for k, other in zip(tied, found[len(read) :], strict=True):
+        # what is equally large may grow alike, as a member without bending by the rules of buckling and of beam-columns
+        if np.abs((other - found[k]) * by.scale).max() > ALIKE * np.abs(found[k] * by.scale).max():
+            raise AnalysisError(
+                f"{several[k].text} has no gradient here: {'; '.join(read[k].ties)} equally large. "
+                "Take pnorm(..., 8) or ks(..., r), which are smooth, or name one of them in brackets."
+            )
+    found = found[: len(read)]
     texts = [one.text for one in several]
     values = np.array([own.value for own in read])
     coords = {"number": list(by.names), "response": texts}

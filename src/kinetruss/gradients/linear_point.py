@@ -5,7 +5,7 @@ r = (f N + given - G u,  G^T (N + N0) + K u - F),    z from the same symmetric m
 
 from __future__ import annotations
 
-from collections.abc import Collection
+from collections.abc import Collection, Sequence
 from dataclasses import dataclass, replace
 from functools import cached_property
 from types import MappingProxyType
@@ -13,6 +13,8 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
+from kinetruss.errors import AnalysisError
+from kinetruss.gradients.judged import Judged, judged_axes, judged_sites, utilisation
 from kinetruss.gradients.kinks import refuse_kinks
 from kinetruss.gradients.nearness import site_of_rows, sites
 from kinetruss.gradients.told import Told
@@ -33,6 +35,7 @@ from kinetruss.statics.small_displacements import (
 )
 
 if TYPE_CHECKING:
+    import xarray as xr
     from numpy.typing import ArrayLike, NDArray
 
     Floats = NDArray[np.float64]
@@ -142,6 +145,27 @@ class LinearPoint(Told):
         """As `statics.linear` tells."""
         return variables(*self._solved(system, unknown))
 
+    @property
+    def more(self) -> Judged:
+        """The utilisation of members."""
+        return Judged(self)
+
+    def data(self) -> xr.Dataset:
+        """The results as users read them, with the names of what is judged."""
+        return super().data().assign_coords(judged_axes(self.system))
+
+    def columns(self, system: System, unknown: Floats, names: Sequence[str]) -> dict[str, Floats]:
+        """The named results; entries of the utilisation that do not apply are 0."""
+        found = super().columns(system, unknown, [name for name in names if name != "utilisation"])
+        if "utilisation" in names:
+            values = utilisation(system, self.told(system, unknown), self.case)
+            found["utilisation"] = np.where(np.isfinite(values), values, 0.0)
+        return found
+
+    def sites(self, name: str) -> NDArray[np.int64]:
+        """By the node, member or support of each value."""
+        return judged_sites(self.system) if name == "utilisation" else super().sites(name)
+
     def _solved(self, system: System, unknown: Floats) -> tuple[Any, ...]:
         """The arguments of `linear_statics.variables` at other numbers and unknowns."""
         at, whole = self._equations(system), self._equations(system).rows[0]
@@ -157,8 +181,11 @@ class LinearPoint(Told):
         found = replace(self.found, solved=solved, stored=stored, **laws)
         return system, at.held, at.x, found, at.known, at.gradients
 
-    def refuse(self, seeds: Any) -> None:  # noqa: ARG002
-        """Cables, springs with play and stops exactly at a kink of their laws have no gradients."""
+    def refuse(self, seeds: Any) -> None:
+        """No gradients at a kink of cables, springs with play and stops, and of a beam-column beyond its Euler load."""
+        used = [np.flatnonzero(one["utilisation"]) for one in seeds if "utilisation" in one]
+        if used and np.isinf(self.more["utilisation"].values.reshape(-1)[np.concatenate(used)]).any():
+            raise AnalysisError("A compression reaches the Euler load, where a beam-column has an infinite utilisation.")
         kinks, solved = self._equations(self.system).kinks, self.found.solved
         row, on = kinks.row, self.found.state != 0
         force = (self.found.tension + solved.force)[row]
