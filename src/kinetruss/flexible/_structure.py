@@ -36,7 +36,7 @@ from kinetruss.statics.small_displacements import flexibility, stiff_rows
 if TYPE_CHECKING:
     from numpy.typing import NDArray
 
-__all__ = ["Instant", "Softness", "elastic_stiffness", "instants_of", "modes_of", "refuse_unloaded_beams"]
+__all__ = ["Instant", "Softness", "elastic_stiffness", "instants_of", "modes_of", "refuse_unloaded_beams", "structure_at"]
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
@@ -130,24 +130,36 @@ def instants_of(model: Model, forces: Forces, softness: Softness) -> Iterator[In
         balance = replace(balance_of(system, case, None, float(times[i])), gravity=gravity)
         stiff, push = _of_shapes(system, forces, i, here)
         N = balanced_rows(balance, here, load[i] + push)
-        _, L, u = ends_of(system, here)
-        moving = not still and (np.any(rate) or np.any(second))
-        Ld = np.einsum("mc,mc->m", u, rate[system.q] - rate[system.p]) if moving else np.zeros_like(L)
-        more = {"v": rate, "a": second} if moving else {}
-        K, C = balance.tangents(here, N, bar_laws(system, L, Ld).tension - balance.push, **more)
-        M = mass_matrix(system, here)
-        yield Instant(
-            balance=balance,
-            x=here,
-            M=M[free][:, free],
-            C=C[free][:, free],
-            K=(K + stiff)[free][:, free],
-            B=material_stiffness(system, here)[free][:, free],
-            G=constraint_jacobian(system, here)[:, free],
-            f=softness.flexibility(system, here),
-            load=load[i][free],
-            N=N,
-        )
+        moving = None if still or not (np.any(rate) or np.any(second)) else (rate, second)
+        found = structure_at(balance, softness, here, N, load[i], moving)
+        yield replace(found, K=found.K + stiff[free][:, free])
+
+
+def structure_at(
+    balance: Balance,
+    softness: Softness,
+    x: NDArray[np.float64],
+    N: NDArray[np.float64],
+    load: NDArray[np.float64],
+    moving: tuple[NDArray[np.float64], NDArray[np.float64]] | None = None,
+) -> Instant:
+    """The structure at positions x (n, 3) with row forces N (rows,) and forces (3 n,); moving : velocities, accelerations."""
+    system = balance.system
+    free, (_, L, u) = system.free, ends_of(system, x)
+    Ld = np.zeros_like(L) if moving is None else np.einsum("mc,mc->m", u, moving[0][system.q] - moving[0][system.p])
+    K, C = balance.tangents(x, N, bar_laws(system, L, Ld).tension - balance.push, *(moving or ()))
+    return Instant(
+        balance=balance,
+        x=x,
+        M=mass_matrix(system, x)[free][:, free],
+        C=C[free][:, free],
+        K=K[free][:, free],
+        B=material_stiffness(system, x)[free][:, free],
+        G=constraint_jacobian(system, x)[:, free],
+        f=softness.flexibility(system, x),
+        load=load[free],
+        N=N,
+    )
 
 
 def _of_shapes(system: System, forces: Forces, i: int, x: NDArray[np.float64]) -> tuple[Any, NDArray[np.float64]]:

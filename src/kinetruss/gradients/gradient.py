@@ -12,8 +12,12 @@ import xarray as xr
 
 from kinetruss.dynamics import inverse
 from kinetruss.errors import AnalysisError, InputError
+from kinetruss.flexible import frequencies
 from kinetruss.gradients.along import followed, inverted, ran
+from kinetruss.gradients.buckling_point import BucklingPoint
 from kinetruss.gradients.differences import FOUR
+from kinetruss.gradients.equilibrium_point import EquilibriumPoint
+from kinetruss.gradients.frequencies_point import FrequenciesPoint
 from kinetruss.gradients.linear_point import LinearPoint
 from kinetruss.gradients.points import gradients_at
 from kinetruss.gradients.responses import Read, read_response
@@ -22,13 +26,23 @@ from kinetruss.kinematics import follow
 from kinetruss.mechanics import compile
 from kinetruss.model import Model
 from kinetruss.runs import run
-from kinetruss.statics import linear
+from kinetruss.statics import buckling, equilibrium, linear
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray
 
-POINTS: dict[Callable[..., Any], Callable[..., Any]] = {linear: LinearPoint, follow: followed, inverse: inverted, run: ran}
+POINTS: dict[Callable[..., Any], Callable[..., Any]] = {
+    linear: LinearPoint,
+    follow: followed,
+    inverse: inverted,
+    run: ran,
+    equilibrium: EquilibriumPoint,
+    buckling: BucklingPoint,
+    frequencies: FrequenciesPoint,
+}
 """What gives the gradients of the results of each analysis."""
+ALIKE = 1e-8
+"""Gradients of what is equally large that differ by less than this fraction of the largest derivative are the same."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -130,13 +144,19 @@ def _found(several: Sequence[Response], by: Varied, single: bool) -> tuple[Any, 
     data, more = point.data(), getattr(point, "more", None)
     read = [read_response(one.text, data, more) for one in several]
     for one, own in zip(several, read, strict=True):
-        if own.ties:
+        if not all(np.isfinite(seed).all() for seed in own.seeds.values()):
+            raise AnalysisError(f"{one.text} has no gradient here: it has the root or the size of 0, or divides by it.")
+    tied = [k for k, own in enumerate(read) if own.ties]
+    seeds = [own.seeds for own in read] + [read[k].shared for k in tied]
+    found = point.gradients(by, seeds) if hasattr(point, "gradients") else gradients_at(point, by, seeds)
+    for k, other in zip(tied, found[len(read) :], strict=True):
+        # what is equally large may grow alike, as a member without bending by the rules of buckling and of beam-columns
+        if np.abs((other - found[k]) * by.scale).max() > ALIKE * np.abs(found[k] * by.scale).max():
             raise AnalysisError(
-                f"{one.text} has no gradient here: {'; '.join(own.ties)} equally large. "
+                f"{several[k].text} has no gradient here: {'; '.join(read[k].ties)} equally large. "
                 "Take pnorm(..., 8) or ks(..., r), which are smooth, or name one of them in brackets."
             )
-    seeds = [own.seeds for own in read]
-    found = point.gradients(by, seeds) if hasattr(point, "gradients") else gradients_at(point, by, seeds)
+    found = found[: len(read)]
     texts = [one.text for one in several]
     values = np.array([own.value for own in read])
     coords = {"number": list(by.names), "response": texts}

@@ -8,18 +8,19 @@ from __future__ import annotations
 from collections.abc import Collection, Sequence
 from dataclasses import dataclass, replace
 from functools import cached_property
+from types import MappingProxyType
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
-import xarray as xr
 
-from kinetruss.gradients.nearness import site_of_rows, sites, sites_along
+from kinetruss.errors import AnalysisError
+from kinetruss.gradients.judged import Judged, judged_axes, judged_sites, utilisation
+from kinetruss.gradients.kinks import refuse_kinks
+from kinetruss.gradients.nearness import site_of_rows, sites
+from kinetruss.gradients.told import Told
 from kinetruss.mechanics import System, constraint_jacobian
 from kinetruss.mechanics.arguments import number_of, positions_of
-from kinetruss.mechanics.matrices import mass_by_nodes
-from kinetruss.results import variable
-from kinetruss.results.user_parts import users, users_of
-from kinetruss.statics.active_set import Kinks, OneSided, given_displacements, kinks_of, solve_one_sided, stored_energy
+from kinetruss.statics.active_set import PULLS, Kinks, given_displacements, kinks_of, solve_one_sided, stored_energy
 from kinetruss.statics.linear_statics import Known, known_forces, rigid_rows, variables
 from kinetruss.statics.small_displacements import (
     Solved,
@@ -34,6 +35,7 @@ from kinetruss.statics.small_displacements import (
 )
 
 if TYPE_CHECKING:
+    import xarray as xr
     from numpy.typing import ArrayLike, NDArray
 
     Floats = NDArray[np.float64]
@@ -61,7 +63,7 @@ class _Equations:
         return constraint_jacobian(self.held, self.x)
 
 
-class LinearPoint:
+class LinearPoint(Told):
     """A `Point` of `statics.linear`, with the arguments of that function."""
 
     linear = True
@@ -82,6 +84,7 @@ class LinearPoint:
         held, x = stiff_rows(system), positions_of(system, position)
         flexible, known = self._forces(system, held, x)
         self.found = solve_one_sided(held, x, flexible, known.tension, known.load + known.continua_force)
+        self.before = kinks_of(held, x, flexible).before
         whole, soft = with_beams(held, x)
         on_beams = (whole[len(flexible) :] @ self.found.solved.displacement[held.free]) / soft
         self.unknown = np.concatenate([self.found.solved.force, on_beams, self.found.solved.displacement[held.free]])
@@ -94,7 +97,6 @@ class LinearPoint:
         of_beams: Any = [] if beams is None else np.repeat(at["node"][beams.nodes[:, 0]], beams.rigidity.shape[1])
         self.at = np.concatenate([site_of_rows(held), of_beams, np.repeat(at["node"], 3)[held.free]]).astype(np.int64)
         self.row = self.at
-        self._kept: dict[str, Any] = {}
 
     def _forces(self, system: System, held: System, x: Floats) -> tuple[Floats, Known]:
         loads = loads_at(system, np.array([self.time]), self.case, self.word).at(x[None])
@@ -139,6 +141,31 @@ class LinearPoint:
         moved, force = solve_each(at.held, at.x, self.found.flexible, load, -right[:, : self.forces])
         return np.concatenate([force, -moved[:, at.held.free]], axis=1)
 
+    def told(self, system: System, unknown: Floats) -> tuple[dict[str, Any], dict[str, Any]]:
+        """As `statics.linear` tells."""
+        return variables(*self._solved(system, unknown))
+
+    @property
+    def more(self) -> Judged:
+        """The utilisation of members."""
+        return Judged(self)
+
+    def data(self) -> xr.Dataset:
+        """The results as users read them, with the names of what is judged."""
+        return super().data().assign_coords(judged_axes(self.system))
+
+    def columns(self, system: System, unknown: Floats, names: Sequence[str]) -> dict[str, Floats]:
+        """The named results; entries of the utilisation that do not apply are 0."""
+        found = super().columns(system, unknown, [name for name in names if name != "utilisation"])
+        if "utilisation" in names:
+            values = utilisation(system, self.told(system, unknown), self.case)
+            found["utilisation"] = np.where(np.isfinite(values), values, 0.0)
+        return found
+
+    def sites(self, name: str) -> NDArray[np.int64]:
+        """By the node, member or support of each value."""
+        return judged_sites(self.system) if name == "utilisation" else super().sites(name)
+
     def _solved(self, system: System, unknown: Floats) -> tuple[Any, ...]:
         """The arguments of `linear_statics.variables` at other numbers and unknowns."""
         at, whole = self._equations(system), self._equations(system).rows[0]
@@ -149,66 +176,45 @@ class LinearPoint:
         stretched = np.where(slack, 0.0, at.flexible) * N + at.given
         elongation = np.where(slack, whole[: self.rows] @ u[at.held.free], stretched)
         solved = Solved(displacement=u, elongation=elongation, force=N, errors=(0.0, 0.0), inner=inner)
-        stored = stored_energy(at.kinks, solved, at.tension, at.given)
+        stored = stored_energy(at.kinks, solved, at.tension, at.given, self.before)
         laws: Any = {"flexible": at.flexible, "tension": at.tension, "given": at.given}
         found = replace(self.found, solved=solved, stored=stored, **laws)
         return system, at.held, at.x, found, at.known, at.gradients
 
+    def refuse(self, seeds: Any) -> None:
+        """No gradients at a kink of cables, springs with play and stops, and of a beam-column beyond its Euler load."""
+        used = [np.flatnonzero(one["utilisation"]) for one in seeds if "utilisation" in one]
+        if used and np.isinf(self.more["utilisation"].values.reshape(-1)[np.concatenate(used)]).any():
+            raise AnalysisError("A compression reaches the Euler load, where a beam-column has an infinite utilisation.")
+        kinks, solved = self._equations(self.system).kinks, self.found.solved
+        row, on = kinks.row, self.found.state != 0
+        force = (self.found.tension + solved.force)[row]
+        e = np.where(
+            on, np.where(self.found.state > 0, kinks.upper, kinks.lower) + force / kinks.stiffness, solved.elongation[row]
+        )
+        short = kinks.stiffness * np.minimum(np.abs(e - kinks.upper), np.abs(e - kinks.lower))
+        least = PULLS * float(np.abs(solved.force).max(initial=0.0))
+        refuse_kinks(self._equations(self.system).held, row[short <= least])
+
+    def _energies(self, system: System, unknown: Floats) -> tuple[Floats, Floats]:
+        """The terms of the energy: of rows, then of the elements without rows by coordinates."""
+        *_, found, known, _ = self._solved(system, unknown)
+        inner = (0.5 * found.solved.inner - known.continua_force) * found.solved.displacement
+        return np.concatenate([found.stored, inner]), self._of_sums
+
+    def _works(self, system: System, unknown: Floats) -> tuple[Floats, Floats]:
+        """The terms of the work: of settlements by rows, of loads by coordinates."""
+        *_, found, known, _ = self._solved(system, unknown)
+        settled, loaded = -0.5 * found.solved.force * found.given, 0.5 * known.load * found.solved.displacement
+        return np.concatenate([settled, loaded]), self._of_sums
+
     @cached_property
-    def here(self) -> xr.Dataset:
-        """The results at the solution."""
-        columns, coords = variables(*self._solved(self.system, self.unknown))
-        return xr.Dataset(columns, coords=coords)
+    def _of_sums(self) -> Any:
+        return np.concatenate([self.at[: self.rows], np.repeat(sites(self.system)["node"], 3)])
 
-    def data(self) -> xr.Dataset:
-        """The results as users read them, with what follows from them for a design."""
-        found = users(self.here)
-        more = self.columns(self.system, self.unknown, ("axial_stress", "mass"))
-        found["axial_stress"] = variable(("member",), more["axial_stress"], "Pa", "axial force over the area")
-        return found.assign(mass=variable((), np.asarray(more["mass"].sum()), "kg", "mass of the model"))
-
-    def columns(self, system: System, unknown: Floats, names: Sequence[str]) -> dict[str, Floats]:
-        """The named results."""
-        found = {"mass": mass_by_nodes(system)} if "mass" in names else {}
-        if others := [name for name in names if name != "mass"]:
-            given = self._solved(system, unknown)
-            data = variables(*given)[0]
-            for name in others:
-                if name in _SUMS:
-                    found[name] = _SUMS[name](*given[3:5])
-                elif name == "axial_stress":
-                    found[name] = (data["member_force"].values / system.area)[self.kept("member_force")]
-                else:
-                    found[name] = np.asarray(data[name].values[self.kept(name)])
-        return found
-
-    def sites(self, name: str) -> NDArray[np.int64]:
-        """By the node, member or support of each value."""
-        at = sites(self.system)
-        if name == "mass":
-            return at["node"]
-        if name in _SUMS:
-            return np.concatenate([self.at[: self.rows], np.repeat(at["node"], 3)])
-        of = "member_force" if name == "axial_stress" else name
-        return np.asarray(sites_along(self.system, self.here[of])[self.kept(of)])
-
-    def kept(self, name: str) -> Any:
-        """Where the values of a variable that users read are among all."""
-        if name not in self._kept:
-            self._kept[name] = users_of(self.here, name)
-        return self._kept[name]
-
-
-def _energies(found: OneSided, known: Known) -> Floats:
-    """The terms of the energy: of rows, then of the elements without rows by coordinates."""
-    moved = found.solved.displacement
-    return np.concatenate([found.stored, (0.5 * found.solved.inner - known.continua_force) * moved])
-
-
-def _works(found: OneSided, known: Known) -> Floats:
-    """The terms of the work: of settlements by rows, of loads by coordinates."""
-    return np.concatenate([-0.5 * found.solved.force * found.given, 0.5 * known.load * found.solved.displacement])
-
-
-_SUMS = {"energy": _energies, "work": _works}
-"""Results that are sums, by their terms."""
+    sums = MappingProxyType(
+        {
+            "energy": (_energies, "J", "strain energy that the load adds"),
+            "work": (_works, "J", "half the loads times their displacements"),
+        }
+    )

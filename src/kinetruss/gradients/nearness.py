@@ -152,7 +152,9 @@ def sites_along(system: System, one: Any) -> NDArray[np.int64]:
         if dim in ("node", "member") and len(names) == len(at[dim]):
             own = at[dim]
         elif dim in ("support", "held", "frame"):
-            own = np.array([at["node"][system.node_index(name)] for name in names], np.int64)
+            origin = system.inner.frames if dim == "frame" else {}
+            node = [system.node_index(origin[name].origin if name in origin else name) for name in names]
+            own = at["node"][node]
         elif dim in ("coupling", "spring", "stop", "drive"):
             of = dict(zip(system.measures, at["measure"].tolist(), strict=True))
             own = np.array([of.get(name, -1) for name in names], np.int64)

@@ -15,9 +15,10 @@ from typing import TYPE_CHECKING, Any, Protocol
 
 import numpy as np
 
+from kinetruss.errors import AnalysisError
 from kinetruss.gradients.differences import FOUR, TWO, Weighed, differences
 from kinetruss.gradients.nearness import parts_of
-from kinetruss.gradients.varied import STEP, Varied
+from kinetruss.gradients.varied import STEP, TRIED, Varied
 
 if TYPE_CHECKING:
     import xarray as xr
@@ -58,30 +59,61 @@ class Point(Protocol):
     def transposed(self, right: Floats) -> Floats:
         """z (k, m) of (dr/dy)^T z = right (k, m)."""
 
+    def refuse(self, seeds: Sequence[Mapping[str, Floats]]) -> None:
+        """Raise an AnalysisError where responses with these seeds have no gradient."""
+
+
+MISSED = 1e-5
+"""Share of the effect of a trial that may be missed: a trial is a one-sided difference of the first order."""
+NOISE = 1e-8
+"""Round-off of the effect of a trial, as a fraction of the sum of all changes."""
+
 
 def gradients_at(point: Point, by: Varied, seeds: Sequence[Mapping[str, Floats]]) -> Floats:
-    """Derivatives (k, numbers) of k responses with seeds ds/dd by the variables that they read."""
+    """Derivatives (k, numbers) of k responses with seeds ds/dd by the variables that they read.
+
+    A trial, with all numbers changed at once in a model that is compiled anew, shows whether the analysis reads numbers beside
+    those of the system, or a number acts where no part says so. Models are then compiled for such numbers, and each is changed
+    alone.
+    """
     names = list(dict.fromkeys(name for one in seeds for name in one))
+    point.refuse(seeds)
     here = point.columns(point.system, point.unknown, names)
     weight = np.concatenate([_weights(seeds, name, here[name]) for name in names], axis=1)
     site = np.concatenate([point.sites(name).reshape(-1) for name in names])
-    count = len(parts_of(point.system).index)
+    count, step = len(parts_of(point.system).index), STEP * by.scale
 
     def results(system: System, unknown: Floats) -> Floats:
         found = point.columns(system, unknown, names)
         return np.concatenate([found[name].reshape(-1) for name in names])
 
-    z = point.transposed(_by_unknowns(point, weight, site, results))
-    every = Weighed(
-        lambda change: _both(point, by.changed(change), results),
-        np.concatenate([-z, weight], axis=1),
-        np.concatenate([point.row, site]),
-    )
-    return differences(every, by.near, STEP * by.scale, count)
+    def both(system: System) -> Floats:
+        return np.concatenate([point.residual(system), results(system, point.unknown)])
 
+    told = Weighed(lambda change: results(point.system, point.unknown + change), weight, site)
+    z = point.transposed(by_unknowns(point, told))
+    weights, sites = np.concatenate([-z, weight], axis=1), np.concatenate([point.row, site])
+    placed = Weighed(lambda change: both(by.changed(change)), weights, sites)
+    anew = Weighed(lambda change: both(by.compiled(change)), weights, sites)
+    found = differences(placed, by.near, step, count)
+    first, expected = both(point.system), placed.of(by.trial)
 
-def _both(point: Point, system: System, results: Any) -> Floats:
-    return np.concatenate([point.residual(system), results(system, point.unknown)])
+    def missed(effect: Floats) -> bool:
+        size = MISSED * (np.abs(found) @ by.trial) + NOISE * (np.abs(weights) @ np.abs(expected - first))
+        return bool((np.abs(effect) > size).any())
+
+    near = [None] * len(step) if missed(weights @ (expected - first) - found @ by.trial) else by.near
+    if near is not by.near:
+        found = differences(placed, near, step, count)
+    if missed(weights @ (both(by.tried) - expected)):
+        for own in by.kinds:
+            change = np.where(own, by.trial, 0.0)
+            if missed(weights @ (anew.of(change) - placed.of(change))):
+                found[:, own] = differences(anew, near, np.where(own, step, 0.0), count)[:, own]
+    if not np.isfinite(found).all():
+        k = int(np.argwhere(~np.isfinite(found))[0, 1])
+        raise AnalysisError(f"The derivative by {by.names[k]} is not finite: the response is not smooth here.")
+    return found
 
 
 def _weights(seeds: Sequence[Mapping[str, Floats]], name: str, here: Floats) -> Floats:
@@ -93,14 +125,20 @@ def _weights(seeds: Sequence[Mapping[str, Floats]], name: str, here: Floats) -> 
     return found.reshape(len(seeds), -1)
 
 
-def _by_unknowns(point: Point, weight: Floats, site: NDArray[np.int64], results: Any) -> Floats:
-    """(dd/dy)^T w, (k, m): by the unknowns near to what is weighed."""
+def by_unknowns(point: Point, given: Weighed) -> Floats:
+    """Derivatives (k, m) of weighed sums, which take changes (m,) of the unknowns, by those near to what is weighed."""
     parts = parts_of(point.system)
     names = list(parts.index)
     around = {i: parts.around(("nodes", names[i])) for i in np.unique(point.at[point.at >= 0]).tolist()}
-    used = set(site[np.abs(weight).max(axis=0) > 0].tolist())
+    used = set(given.site[np.abs(given.weight).max(axis=0) > 0].tolist())
     touching = {i: -1 in used or bool(own & used) for i, own in around.items()}
     near = [around.get(i) for i in point.at.tolist()]
-    step = STEP * point.size * np.array([touching.get(i, True) for i in point.at.tolist()], float)
-    given = Weighed(lambda change: results(point.system, point.unknown + change), weight, site)
-    return differences(given, near, step, len(names), TWO if point.linear else FOUR)
+    step, points = STEP * point.size, TWO if point.linear else FOUR
+    touched = np.array([touching.get(i, True) for i in point.at.tolist()], float)
+    found = differences(given, near, step * touched, len(names), points)
+    trial = TRIED * point.size * np.random.default_rng(2).uniform(0.5, 1.0, len(step))
+    effect = given.of(trial) - given.of(0.0 * trial)
+    size = MISSED * (np.abs(found) @ trial) + NOISE * (np.abs(given.weight) @ np.abs(effect))
+    if (np.abs(given.weight @ effect - found @ trial) > size).any():  # some act elsewhere than expected
+        return differences(given, [None] * len(step), step, len(names), points)
+    return found

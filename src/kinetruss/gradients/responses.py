@@ -79,6 +79,8 @@ class Read:
     unit: str
     seeds: dict[str, NDArray[np.float64]]
     ties: tuple[str, ...] = ()
+    shared: dict[str, NDArray[np.float64]] = field(default_factory=dict)
+    """The seeds where all that is equally large has a part: with the same gradient if it grows alike."""
 
 
 @dataclass(eq=False)
@@ -90,6 +92,7 @@ class _Data:
     units: Mapping[str, tuple[str, Sequence[str]]] = field(default_factory=dict)
     seeds: Seeds = field(default_factory=dict)
     ties: list[str] = field(default_factory=list)
+    sharing: bool = False
 
 
 @dataclass(frozen=True, eq=False)
@@ -152,7 +155,11 @@ def read_response(text: str, data: xr.Dataset, more: Mapping[str, Any] | None = 
             "Name an entry in brackets, or take max(...), min(...), rms(...) of it."
         )
     found.push(np.ones(()))
-    return Read(float(found.array), found.kind.unit, at.seeds, tuple(at.ties))
+    seeds = at.seeds
+    if at.ties:
+        at.sharing, at.seeds = True, {}
+        found.push(np.ones(()))
+    return Read(float(found.array), found.kind.unit, seeds, tuple(at.ties), at.seeds if at.ties else {})
 
 
 def read_entries(text: str, data: xr.Dataset, more: Mapping[str, Any] | None = None) -> Entries:
@@ -389,10 +396,19 @@ def _largest(a: _Value, sign: float, own: str, at: _Data) -> _Value:
 
     def push(g: Floats) -> None:
         back = np.zeros_like(a.array)
-        back[top] = g
+        if at.sharing:
+            back[tuple(near.T)] = g * _parts(len(near))
+        else:
+            back[top] = g
         a.push(back)
 
     return _Value(np.asarray(a.array[top]), (), a.kind, push)
+
+
+def _parts(count: int) -> Floats:
+    """Parts of 1, none a simple fraction, so that no sum of different gradients is one of them by chance."""
+    found = 1.0 + np.sqrt(2.0 + np.arange(count))
+    return np.asarray(found / found.sum())
 
 
 def _one_peak(near: NDArray[np.int64], dims: tuple[str, ...]) -> bool:
@@ -419,9 +435,15 @@ def _largest_of(given: list[_Value], sign: float, own: str, at: _Data) -> _Value
         same_unit(given[0].kind, one.kind)
     values = sign * np.array([float(one.array) for one in given])
     k = int(np.argmax(values))
-    if (values >= values[k] - TIE * np.abs(values).max()).sum() > 1:
+    near = np.flatnonzero(values >= values[k] - TIE * np.abs(values).max())
+    if len(near) > 1:
         at.ties.append(f"{own} has several arguments")
-    return given[k]
+
+    def push(g: Floats) -> None:
+        for j, part in zip(near, _parts(len(near)), strict=True) if at.sharing else [(k, 1.0)]:
+            given[j].push(g * part)
+
+    return given[k]._replace(push=push)
 
 
 def _instant(a: _Value, t: float | None, name: str, own: str, at: _Data) -> _Value:

@@ -3,13 +3,15 @@
 A number of the model, named by its path, usually stands as it is in one place or several of the numbers of `mechanics.numbers`,
 from which all tables of the elements follow. The places are found by changing all of them together, each by another small
 amount. Numbers that a model computes from it (places of inner nodes, of hubs, of bodies) have derivatives by differences.
+Where an analysis reads a number of the model beside those of the system, as `points.gradients_at` finds out, changed models are
+compiled instead.
 """
 
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace
-from functools import cached_property
+from functools import cached_property, lru_cache
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
@@ -17,9 +19,10 @@ import numpy as np
 from kinetruss.errors import InputError, few
 from kinetruss.gradients.differences import FOUR
 from kinetruss.gradients.nearness import Near, near_nodes, parts_of
-from kinetruss.io.values import changed, resolved
+from kinetruss.io.values import changed, resolved, within
 from kinetruss.mechanics import System, compile
 from kinetruss.mechanics.numbers import numbers_of, system_at
+from kinetruss.mechanics.system import ByIdentity
 from kinetruss.model import Model
 from kinetruss.model.references import matched
 
@@ -28,8 +31,10 @@ if TYPE_CHECKING:
 
     Keys = tuple[str | int, ...]
 
-APART = 1e-11
+APART = 1e-14
 """Relative distance of the values by which numbers are told from each other."""
+TRIED = 1e-7
+"""Step of the one other model that is compiled, as a fraction of a number or of its scale."""
 STEP = 2e-4
 """Step of differences, as a fraction of a number or of its scale."""
 
@@ -41,6 +46,7 @@ class Varied:
     """names (K,) of the numbers; paths : of each, which all have its value; keys, as `resolved`. value, scale (K,): values, and
     what a change is compared with. system : the model with each of them in a place of its own, at these values. base, places :
     by name the numbers of the system that depend on them, at these values; their flat places, on which (K) they do, and how.
+    tried : the system of the model with all of them changed by trial (K,).
     """
 
     model: Model
@@ -52,6 +58,8 @@ class Varied:
     system: System
     base: Mapping[str, NDArray[np.float64]]
     places: Mapping[str, tuple[NDArray[np.int64], NDArray[np.int64], NDArray[np.float64]]]
+    trial: NDArray[np.float64]
+    tried: System
 
     def changed(self, change: NDArray[np.float64]) -> System:
         """The system with the numbers changed by (K,)."""
@@ -60,10 +68,20 @@ class Varied:
             np.add.at(changes[name].reshape(-1), flat, slope * change[which])
         return system_at(self.system, changes)
 
+    def compiled(self, change: NDArray[np.float64]) -> System:
+        """The system of the model with the numbers changed by (K,)."""
+        return compile(self.model_at(change))
+
     def model_at(self, change: NDArray[np.float64]) -> Model:
         """The model with the numbers changed by (K,)."""
         at = self.value + change
         return changed(self.model, [(keys, float(at[k])) for k in np.flatnonzero(change) for keys in self.keys[k]])
+
+    @cached_property
+    def kinds(self) -> list[NDArray[np.bool_]]:
+        """Which (K,) of the numbers are the same field of a table, for each such field."""
+        kind = [(own[0][0], *(key for key in own[0][2:] if isinstance(key, str))) for own in self.keys]
+        return [np.array([one == each for one in kind]) for each in dict.fromkeys(kind)]
 
     @cached_property
     def near(self) -> list[Near]:
@@ -83,8 +101,13 @@ def varied(model: Model, wrt: Wrt) -> Varied:
     ------
     InputError : an unknown path; what is there is no number; members of a group with different values; a number given twice.
     """
-    if isinstance(wrt, str):
-        wrt = [wrt]
+    wrt = [wrt] if isinstance(wrt, str) else wrt
+    return _varied(ByIdentity(model), tuple(one if isinstance(one, str) else tuple(one) for one in wrt))
+
+
+@lru_cache(maxsize=4)
+def _varied(key: ByIdentity, wrt: tuple[str | tuple[str, ...], ...]) -> Varied:
+    model = key.model
     groups = [group for one in wrt for group in _groups(model, one)]
     if not groups:
         raise InputError("No number is named by which to differentiate. Give paths, such as 'bars.M1.section.area'.")
@@ -96,8 +119,9 @@ def varied(model: Model, wrt: Wrt) -> Varied:
     value = np.array([_value(model, group, own) for group, own in zip(groups, keys, strict=True)])
     names = tuple(group[0] if len(group) == 1 else f"{group[0]} and {len(group) - 1} more" for group in groups)
     scale = _scales(model, keys, value)
-    system, base, places = _placed(model, keys, value, scale)
-    return Varied(model, names, tuple(map(tuple, groups)), keys, value, scale, system, base, places)
+    trial = TRIED * scale * np.random.default_rng(1).uniform(0.5, 1.0, len(scale))
+    system, base, places, tried = _placed(model, keys, value, scale, trial)
+    return Varied(model, names, tuple(map(tuple, groups)), keys, value, scale, system, base, places, trial, tried)
 
 
 def _groups(model: Model, one: str | Sequence[str]) -> list[list[str]]:
@@ -129,7 +153,7 @@ def _value(model: Model, group: Sequence[str], keys: Sequence[Keys]) -> float:
     for path, own in zip(group, keys, strict=True):
         here: Any = model
         for key in own:
-            here = getattr(here, str(key)) if hasattr(type(here), "model_fields") else here[key]
+            here = within(model, here, str(key)) if hasattr(type(here), "model_fields") else here[key]
         if isinstance(here, bool) or not isinstance(here, int | float):
             said = "is not set" if here is None else "is no number"
             raise InputError(f"{path} {said}, so nothing can be differentiated by it. Name one number that the model has.")
@@ -152,9 +176,13 @@ Places = dict[str, tuple["NDArray[np.int64]", "NDArray[np.int64]", "NDArray[np.f
 
 
 def _placed(
-    model: Model, groups: Sequence[Sequence[Keys]], value: NDArray[np.float64], scale: NDArray[np.float64]
-) -> tuple[System, dict[str, NDArray[np.float64]], Places]:
-    """The system with each number in a place of its own, the numbers that depend on them, and their places.
+    model: Model,
+    groups: Sequence[Sequence[Keys]],
+    value: NDArray[np.float64],
+    scale: NDArray[np.float64],
+    trial: NDArray[np.float64],
+) -> tuple[System, dict[str, NDArray[np.float64]], Places, System]:
+    """The system with each number in a place of its own, the numbers that depend on them, their places, and that of a trial.
 
     Of values that all differ a little from those of the model, entries that are one of them follow it; others are computed.
     """
@@ -164,7 +192,7 @@ def _placed(
         pairs = zip(groups, values, strict=True)
         return compile(changed(model, [(path, float(one)) for group, one in pairs for path in group]))
 
-    system, other = at(value + mark), at(value + 2 * mark)
+    system, other = at(value + mark), at(value + trial)
     a, b = numbers_of(system), numbers_of(other)
     index = {float(one): k for k, one in enumerate(value + mark)}
     base: dict[str, NDArray[np.float64]] = {}
@@ -176,7 +204,7 @@ def _placed(
             raise InputError("Numbers named here change which parts the model has: by value or because it is 0. Name others.")
         where = np.flatnonzero((flat != moved) & ~np.isnan(flat))
         which = np.array([index.get(float(one), -1) for one in flat[where]], np.int64)
-        same = (which >= 0) & (moved[where] == (value + 2 * mark)[which])
+        same = (which >= 0) & (moved[where] == (value + trial)[which])
         if len(where):
             base[name] = own.copy()
             base[name].reshape(-1)[where[same]] = value[which[same]]
@@ -190,7 +218,7 @@ def _placed(
             on = slope != 0.0
             new = computed[name][on], np.full(int(on.sum()), k), slope[on]
             places[name] = tuple(np.concatenate(pair) for pair in zip(places[name], new, strict=True))  # type: ignore[assignment]
-    return replace(system_at(system, base), given=model), base, places
+    return replace(system_at(system, base), given=model), base, places, other
 
 
 def _by_differences(

@@ -22,7 +22,8 @@ def set_value(model: Model, path: str, value: Any) -> Model:
     ----------
     model : the model; it is not changed.
     path : e.g. ``runs.extend.trajectory.duration`` or ``nodes.N4.at.0``. Names may contain dots; the longest match
-    is used. If a path continues after the name of an entry of a table (here a trajectory), that entry is changed.
+    is used. If a path continues after the name of an entry of a table (here a trajectory), that entry is changed. If it
+    continues inside the section or material of a part that has the model's, the part gets a copy of its own.
     value : as in a model file; text with units, and lists in brackets, are read as in a file. ``~`` removes the value.
 
     Raises
@@ -66,7 +67,7 @@ def changed(model: Model, settings: Iterable[tuple[Keys, Any]]) -> Model:
     changes: dict[str | int, Any] = {}
     for keys, value in settings:
         _noted(changes, keys, _New(value))
-    return Model(**_changed(model, changes))
+    return Model(**_changed(model, model, changes))
 
 
 @dataclass(frozen=True, slots=True)
@@ -111,11 +112,17 @@ def resolved(model: Model, path: str) -> Keys:
         if not isinstance(here, Record):
             here = here[key]
             continue
-        record, here = here, getattr(here, str(key))
+        record, here = here, within(model, here, str(key)) if rest else getattr(here, str(key))
         refs = [ref for ref, _, place in names_in(record) if place == (key,)] if rest and isinstance(here, str) else []
         if refs and (home := [table for table in refs[0].tables if here in getattr(model, table)]):
             keys, here = [home[0], here], getattr(model, home[0])[here]
     return tuple(keys)
+
+
+def within(model: Model, record: Record, key: str) -> Any:
+    """The value of a field; of a section or material that is not given that of the model, which then applies."""
+    own = getattr(record, key)
+    return getattr(model, f"{key}_of")(record) if own is None and key in ("section", "material") else own
 
 
 def _next(here: Any, rest: list[str], before: Sequence[str | int]) -> tuple[str | int, list[str]]:
@@ -152,12 +159,13 @@ def _places(here: Any, end: str, path: str = "") -> Iterator[str]:
             yield from _places(one, end, whole)
 
 
-def _changed(here: Any, changes: Any) -> Any:
-    """The data of a record, table or list with the changes."""
+def _changed(model: Model, here: Any, changes: Any) -> Any:
+    """The data of a record, table or list of a model with the changes."""
     if isinstance(changes, _New):
         return changes.value
     if isinstance(here, Record):
-        return fields(here) | {str(key): _changed(getattr(here, str(key)), below) for key, below in changes.items()}
+        own = {str(key): _changed(model, within(model, here, str(key)), below) for key, below in changes.items()}
+        return fields(here) | own
     if isinstance(here, Mapping):
-        return {**here, **{key: _changed(here[key], below) for key, below in changes.items()}}
-    return [_changed(item, changes[index]) if index in changes else item for index, item in enumerate(here)]
+        return {**here, **{key: _changed(model, here[key], below) for key, below in changes.items()}}
+    return [_changed(model, item, changes[index]) if index in changes else item for index, item in enumerate(here)]

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Collection
 from typing import TYPE_CHECKING
 
 import numpy as np
@@ -83,7 +84,7 @@ def _equilibrium(plan: Plan) -> Block:
     """The equilibrium, and the forces in it as of a pose at rest."""
     case = plan.cases[0]
     found = statics.equilibrium(plan.model, load_case=case, tasks=plan.run.tasks or None, raise_on_failure=False)
-    motion = _resting(plan.model, found.whole["position"].values).with_(status=found.status, message=found.message)
+    motion = resting(plan.model, found.whole["position"].values).with_(status=found.status, message=found.message)
     if not found.status.ok:
         none = motion.with_(data=motion.whole.isel(time=slice(0, 0)))
         return Block(motion=none, forces={}, sections={}, demand={}, verdict=None)
@@ -103,12 +104,9 @@ def _linear(plan: Plan) -> Block:
             raise InputError(f"{error} No digit of the result is certain, so there is none.") from None
     said = " ".join(dict.fromkeys(one.message for one in found.values() if one.message))
     place = np.array([node.at for node in model.whole.nodes.values()])
-    motion = _resting(model, place).with_(message=said)
-    # what turns the frame of a node acts on inner bars, which have no sections; beams have their forces from their shapes
-    inner = {k for k, name in enumerate(system.members) if name in model.whole.inner.bars}
-    acting = [one for case in found for one in actions_of(system, case).actions if one.member not in inner]
-    others = {one.source for one in acting if one.kind != "load"}
-    forces = {} if others else {case: _forces(model, one, motion, case) for case, one in found.items()}
+    motion = resting(model, place).with_(message=said)
+    others = acting_between(system, tuple(found))
+    forces = {} if others else {case: forces_of_linear(model, one, motion, case) for case, one in found.items()}
     if others:
         said = f"{said} Section forces are not computed: {few(sorted(others), 4)} on members, between their joints."
         motion = motion.with_(message=said.strip())
@@ -119,13 +117,21 @@ def _linear(plan: Plan) -> Block:
     return block.with_(demand={}, statics={case: _timed(one) for case, one in found.items()})
 
 
-def _resting(model: Model, place: NDArray[np.float64]) -> Motion:
+def acting_between(system: System, cases: Collection[str]) -> set[str]:
+    """What acts on members between their joints besides loads in some load cases, so that section forces are not computed."""
+    # what turns the frame of a node acts on inner bars, which have no sections; beams have their forces from their shapes
+    inner = {k for k, name in enumerate(system.members) if name in system.model.inner.bars}
+    acting = [one for case in cases for one in actions_of(system, case).actions if one.member not in inner]
+    return {one.source for one in acting if one.kind != "load"}
+
+
+def resting(model: Model, place: NDArray[np.float64]) -> Motion:
     """A place (n_nodes, dim), m, as a motion of one sample at rest."""
     still = np.zeros((1, *place.shape))
     return kinematics.from_arrays(model, [0.0], place[None], still, still)
 
 
-def _forces(model: Model, found: Result, motion: Motion, case: str) -> Forces:
+def forces_of_linear(model: Model, found: Result, motion: Motion, case: str) -> Forces:
     """Forces of the stiffness method as of one pose at rest; those of drives of lengths are minus their tensions."""
     kept = ["member_force", "end_force", "joint_force", "reaction", "reaction_moment", "held_force"]
     kept += ["reaction_own", "reaction_moment_own", "coupling_force"]

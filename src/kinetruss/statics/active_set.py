@@ -231,9 +231,18 @@ def _searched(
     raise AnalysisError(f"It was not found which of {among} pull or press under this load. See statics.equilibrium.")
 
 
-def stored_energy(kinks: Kinks, solved: Solved, before: NDArray[np.float64], given: NDArray[np.float64]) -> NDArray[np.float64]:
-    """The energy (rows,) J that the load adds to the rows, with the tension `before` (rows,) that they have at x."""
-    first, k, row = kinks.before, kinks.stiffness, kinks.row
+def stored_energy(
+    kinks: Kinks,
+    solved: Solved,
+    before: NDArray[np.float64],
+    given: NDArray[np.float64],
+    first: NDArray[np.int64] | None = None,
+) -> NDArray[np.float64]:
+    """The energy (rows,) J that the load adds to the rows, with the tension `before` (rows,) that they have at x, and the state
+    `first` (k,) there of those with kinks, by default `Kinks.before`.
+    """
+    first = kinks.before if first is None else first
+    k, row = kinks.stiffness, kinks.row
     stored = np.where(given != 0.0, 0.0, (0.5 * solved.force + before) * solved.elongation)
     was = np.where(first > 0, -k * kinks.upper, np.where(first < 0, -k * kinks.lower, 0.0))
     stored[row] = 0.5 * ((before + solved.force)[row] ** 2 - np.nan_to_num(was) ** 2) / k

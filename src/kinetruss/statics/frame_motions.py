@@ -42,6 +42,22 @@ class Motions:
 
     def bar_forces(self, x: NDArray[np.float64], left: NDArray[np.float64]) -> NDArray[np.float64]:
         """Forces (k, bars) N of the bars of frames that balance `left` (3 n,) N on their tips, at positions x (n, 3)."""
+        node, A = self.frames.node[:, 1:], self._on_tips(x)
+        right = left.reshape(-1, 3)[node].reshape(len(node), -1)
+        # what the tips leave unbalanced in other directions is round-off: the rotation is in equilibrium
+        square = np.einsum("kab,kac->kbc", A, A)
+        return np.asarray(np.linalg.solve(square, np.einsum("kab,ka->kb", A, right)[..., None])[..., 0])
+
+    def stretched(self, x: NDArray[np.float64], given: NDArray[np.float64]) -> NDArray[np.float64]:
+        """Displacements (3 n,) m of the tips that give the bars of frames elongations (k, bars) m, at positions x (n, 3)."""
+        node, A = self.frames.node[:, 1:], self._on_tips(x)
+        moved = A @ np.linalg.solve(np.einsum("kab,kac->kbc", A, A), given[..., None])
+        found = np.zeros_like(x)
+        np.add.at(found, node, moved.reshape(*node.shape, 3))
+        return found.reshape(-1)
+
+    def _on_tips(self, x: NDArray[np.float64]) -> NDArray[np.float64]:
+        """Forces (k, 3 tips, bars) of unit forces of the bars of frames on their tips, at positions x (n, 3)."""
         node, dim = self.frames.node, self.frames.node.shape[1] - 1
         pairs = list(combinations(range(dim + 1), 2))
         A = np.zeros((len(node), dim + 1, 3, len(pairs)))
@@ -49,11 +65,7 @@ class Motions:
             d = x[node[:, j]] - x[node[:, i]]
             u = d / np.linalg.norm(d, axis=1)[:, None]
             A[:, i, :, b], A[:, j, :, b] = -u, u
-        A = A[:, 1:].reshape(len(node), 3 * dim, len(pairs))
-        right = left.reshape(-1, 3)[node[:, 1:]].reshape(len(node), 3 * dim)
-        # what the tips leave unbalanced in other directions is round-off: the rotation is in equilibrium
-        square = np.einsum("kab,kac->kbc", A, A)
-        return np.asarray(np.linalg.solve(square, np.einsum("kab,ka->kb", A, right)[..., None])[..., 0])
+        return A[:, 1:].reshape(len(node), 3 * dim, len(pairs))
 
 
 @cached()

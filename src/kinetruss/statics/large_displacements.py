@@ -127,7 +127,7 @@ def begun(
     """
     system = balance.system
     x = positions_of(system, start.whole["position"].values if isinstance(start, Result) else start).copy()
-    wanted, places = _prescribed_values(system, x, lengths)
+    wanted, places = prescribed_values(system, x, lengths)
     x, error, span = closed(system, x, wanted, places)
     return x, wanted, error, span
 
@@ -147,7 +147,7 @@ def must_begin(
     return x, wanted, span
 
 
-def _prescribed_values(
+def prescribed_values(
     system: System, x: NDArray[np.float64], lengths: Mapping[str, float]
 ) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
     """Prescribed values of rows (rows,), m or rad, and coordinates of drives (3 n,), m: those at x unless given."""
@@ -207,19 +207,16 @@ def _failed(balance: Balance, x: NDArray[np.float64], wanted: NDArray[np.float64
     return found
 
 
-def _record(system: System, balance: Balance, reached: SearchResult) -> Equilibrium:
-    dim, found = system.dim, reached.stability
-    shapes = found.shapes[:, :, :dim]
-    if len(shapes):
-        shapes = shapes / np.abs(shapes).max(axis=(1, 2), keepdims=True)
-    d = reached.x[system.q] - reached.x[system.p]
+def state_columns(
+    system: System, balance: Balance, x: NDArray[np.float64], N: NDArray[np.float64]
+) -> tuple[dict[str, Column], dict[str, Any]]:
+    """Positions, lengths, forces and rotations at positions x (n, 3) and row forces N (rows,), and the names along axes."""
+    d = x[system.q] - x[system.p]
     data = {
-        "position": variable(("node", "axis"), reached.x[:, :dim], "m", "node position"),
+        "position": variable(("node", "axis"), x[:, : system.dim], "m", "node position"),
         "length": variable(("member",), np.linalg.norm(d, axis=1), "m", "member length"),
-        **forces_of(system, balance, reached.x, reached.N),
-        **rotation_columns(system, (), lambda: rotations(system, reached.x[None])[0]),
-        "stiffness": variable(("mode",), found.values, "N/m", "eigenvalues of the reduced stiffness"),
-        "mode_shape": variable(("mode", "node", "axis"), shapes, "", "their shapes, largest component 1"),
+        **forces_of(system, balance, x, N),
+        **rotation_columns(system, (), lambda: rotations(system, x[None])[0]),
     }
     coords = {
         **part_axes(system),
@@ -228,6 +225,19 @@ def _record(system: System, balance: Balance, reached: SearchResult) -> Equilibr
         **element_axes(system),
         **force_units(system, "drive", *element_axes(system))[1],
         **rotation_axes(system),
+    }
+    return data, coords
+
+
+def _record(system: System, balance: Balance, reached: SearchResult) -> Equilibrium:
+    dim, found = system.dim, reached.stability
+    shapes = found.shapes[:, :, :dim]
+    if len(shapes):
+        shapes = shapes / np.abs(shapes).max(axis=(1, 2), keepdims=True)
+    data, coords = state_columns(system, balance, reached.x, reached.N)
+    data |= {
+        "stiffness": variable(("mode",), found.values, "N/m", "eigenvalues of the reduced stiffness"),
+        "mode_shape": variable(("mode", "node", "axis"), shapes, "", "their shapes, largest component 1"),
     }
     ways = [moves_text(system, shape) for shape in shapes[: found.negative + found.neutral]]
     unsure = _not_unique(balance.system, reached.x)

@@ -76,13 +76,13 @@ def buckling(
     system = compile(model)
     push = scaled_force(system, scaled_loads(system, load))
     balance = balance_of(without(system, load, load_case), load_case, tasks)
-    reached = _at_rest(balance, start, lengths or {})
+    reached = at_rest(balance, start, lengths or {})
     free = balance.system.free
     J = constraint_jacobian(balance.system, reached.x)[:, free]
     K = balance.stiffness(reached.x, reached.N)[free][:, free]
-    added, geometric = _of_load(balance, reached, K, J, push)
+    added, geometric = of_load(balance, reached.x, *by_load(balance, reached.x, K, J, push))
     Z = null_basis(J)
-    factors, shapes = _solved(Z.T @ (K @ Z), Z.T @ (geometric[free][:, free] @ Z))
+    factors, shapes = factors_and_shapes(Z.T @ (K @ Z), Z.T @ (geometric[free][:, free] @ Z))
     kept = min(modes, len(factors))
     full = np.zeros((kept, system.x0.size))
     full[:, free] = (Z @ shapes[:, :kept]).T
@@ -102,7 +102,7 @@ def buckling(
     )
 
 
-def _at_rest(balance: Balance, start: Any, lengths: Mapping[str, float]) -> SearchResult:
+def at_rest(balance: Balance, start: Any, lengths: Mapping[str, float]) -> SearchResult:
     """The state without the load; it must be stable."""
     x, wanted, _ = must_begin(balance, start, lengths)
     reached = find_equilibrium(balance, x, wanted, 1e-13, 500)
@@ -113,35 +113,40 @@ def _at_rest(balance: Balance, start: Any, lengths: Mapping[str, float]) -> Sear
     return reached
 
 
-def _of_load(
-    balance: Balance, reached: SearchResult, K: Any, J: Any, push: NDArray[np.float64]
-) -> tuple[NDArray[np.float64], Any]:
-    """Tension (members,) N that the load adds to first order, and its geometric stiffness (3 n, 3 n), N/m."""
-    system, free = balance.system, balance.system.free
-    rows = rows_of(system, reached.x)
+def by_load(
+    balance: Balance, x: NDArray[np.float64], K: Any, J: Any, push: NDArray[np.float64]
+) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
+    """Displacements (n, 3), m, and row forces (rows,), N, that the load adds to first order at positions x (n, 3)."""
+    free = balance.system.free
+    rows = rows_of(balance.system, x)
     dx, N = Saddle(K, J, rows).solve(push[free], np.zeros(J.shape[0]))
-    # the forces that the load adds to redundant rigid bars are of least norm, as all others
-    N = rows.shared(J, N)
     flat = np.zeros(push.size)
     flat[free] = dx
-    moved = flat.reshape(-1, 3)
-    _, L, u = ends_of(system, reached.x)
-    slope = bar_laws(system, L).slope
-    added = slope * np.einsum("mc,mc->m", u, moved[system.q] - moved[system.p])
-    tension, torque = row_tensions(system, reached.x, N)
+    # the forces that the load adds to redundant rigid bars are of least norm, as all others
+    return flat.reshape(-1, 3), rows.shared(J, N)
+
+
+def of_load(
+    balance: Balance, x: NDArray[np.float64], moved: NDArray[np.float64], N: NDArray[np.float64]
+) -> tuple[NDArray[np.float64], Any]:
+    """Tension (members,) N of what a load adds, `by_load`, and its geometric stiffness (3 n, 3 n), N/m."""
+    system = balance.system
+    _, L, u = ends_of(system, x)
+    added = bar_laws(system, L).slope * np.einsum("mc,mc->m", u, moved[system.q] - moved[system.p])
+    tension, torque = row_tensions(system, x, N)
     none = np.zeros_like(L)
     still = np.zeros(3)
-    loaded = member_tangents(system, reached.x, added + tension, torque, still)[0]
-    geometric = loaded - member_tangents(system, reached.x, none, none, still)[0]
+    loaded = member_tangents(system, x, added + tension, torque, still)[0]
+    geometric = loaded - member_tangents(system, x, none, none, still)[0]
     for one, record in present(system):
         if one.geometric is not None:
-            geometric = geometric + one.geometric(system, record, reached.x, moved)
+            geometric = geometric + one.geometric(system, record, x, moved)
     if len(system.measures):
-        geometric = geometric + sum_stiffness(system, reached.x, measure_forces(system, N))
+        geometric = geometric + sum_stiffness(system, x, measure_forces(system, N))
     return added + tension, geometric
 
 
-def _solved(K: NDArray[np.float64], G: NDArray[np.float64]) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
+def factors_and_shapes(K: NDArray[np.float64], G: NDArray[np.float64]) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
     """Positive factors with (K + factor G) shape = 0, ascending, and shapes; K is positive definite."""
     from scipy.linalg import eigh
 

@@ -287,7 +287,9 @@ def scaled_loads(system: System, load: str | Mapping[str, float]) -> Loads:
             if name not in model.loads:
                 raise InputError(f"No load called {name!r} to scale. {nearest(name, [*model.loads, *model.cases])}".rstrip())
         scaled = system.given.with_(load_cases={"scaled": LoadCase(loads=factors)}, combinations={}, runs={})
-        loads = case_loads(compile(scaled), np.zeros(1), "scaled")
+        numbers = system.load_numbers | {"case scaled factor": np.array(list(factors.values()))}
+        alone = replace(system, given=scaled, model=scaled.whole, load_numbers=numbers)
+        loads = case_loads(alone, np.zeros(1), "scaled")
     if any(not one.constant for _, one, _ in loads.unit_loads):
         raise InputError("The load that is scaled turns with the structure. Give one that keeps its direction.")
     return loads.at(system.x0[None])

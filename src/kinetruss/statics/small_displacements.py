@@ -193,9 +193,13 @@ def solve_each(
     (k, 3 n) and prescribed elongations (k, rows + r), where `solve` has an answer: one factorisation, no error bounds.
     """
     known = _assembled(held, x, flexible)
-    right = [known.right(*one) for one in zip(load, given, strict=True)]
+    aside = [known.aside(one) for one in given]
+    right = [
+        known.right(own - known.only @ u, one - known.whole @ u[held.free])
+        for own, one, u in zip(load, given, aside, strict=True)
+    ]
     found = each_of(known.matrix, [b for b, _ in right], known.parts, _order(held))
-    back = [known.unscaled(y, push, own) for y, (_, push), own in zip(found, right, load, strict=True)]
+    back = [known.unscaled(y, push, *own) for y, (_, push), *own in zip(found, right, load, aside, strict=True)]
     return np.array([one for one, _ in back]), np.array([one for _, one in back])
 
 
@@ -228,14 +232,22 @@ class _Assembled(NamedTuple):
         push = max(float(np.abs(push_on).max(initial=0.0)), float(np.abs(given).max(initial=0.0)) / self.size) or 1.0
         return np.concatenate([-given[self.kept] / (push * self.size), push_on / push]), push
 
+    def aside(self, given: NDArray[np.float64]) -> NDArray[np.float64]:
+        """Displacements (3 n,) of the tips of frames whose bars have prescribed elongations, of (rows + r,)."""
+        if self.motions is None or not given[row := self.motions.frames.row].any():
+            return np.zeros(self.held.x0.size)
+        return self.motions.stretched(self.x, given[row])
+
     def unscaled(
-        self, y: NDArray[np.float64], push: float, load: NDArray[np.float64]
+        self, y: NDArray[np.float64], push: float, load: NDArray[np.float64], aside: NDArray[np.float64] | None = None
     ) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
-        """Displacements (3 n,) and forces (rows + r,) from a solution under nodal forces (3 n,)."""
+        """Displacements (3 n,) and forces (rows + r,) from a solution under nodal forces (3 n,), beside those of `aside`."""
         force, displacement = np.zeros(len(self.kept)), np.zeros(self.held.x0.size)
         force[self.kept] = y[: self.forces] * push
         moved = -y[self.forces :] * push * self.size
         displacement[self.held.free] = moved if self.motions is None else self.motions.to @ moved
+        if aside is not None:
+            displacement += aside
         if self.motions is not None:
             left = np.zeros(self.held.x0.size)
             left[self.held.free] = (load - self.only @ displacement)[self.held.free] - self.whole.T @ force
