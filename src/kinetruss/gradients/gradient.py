@@ -10,13 +10,15 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 import xarray as xr
 
+from kinetruss.dynamics import simulate
 from kinetruss.errors import AnalysisError, InputError
 from kinetruss.gradients.differences import FOUR
 from kinetruss.gradients.linear_point import LinearPoint
 from kinetruss.gradients.points import Point, gradients_at
 from kinetruss.gradients.responses import Read, read_response
+from kinetruss.gradients.run_point import RunPoint
 from kinetruss.gradients.varied import Varied, Wrt, varied
-from kinetruss.mechanics import compile
+from kinetruss.mechanics import System, compile
 from kinetruss.model import Model
 from kinetruss.statics import linear
 
@@ -25,6 +27,8 @@ if TYPE_CHECKING:
 
 POINTS: dict[Callable[..., Any], Callable[..., Point]] = {linear: LinearPoint}
 """What gives the gradients of the results of each analysis."""
+RUNS: dict[Callable[..., Any], type[RunPoint]] = {simulate: RunPoint}
+"""Likewise of analyses along a time."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -52,8 +56,8 @@ class Response:
     arguments: dict[str, Any] = field(default_factory=dict)
 
     def __init__(self, text: str, analysis: Callable[..., Any], model: Model, **arguments: Any) -> None:
-        if analysis not in POINTS:
-            known = ", ".join(f"{one.__module__.split('.')[1]}.{one.__name__}" for one in POINTS)
+        if analysis not in POINTS and analysis not in RUNS:
+            known = ", ".join(f"{one.__module__.split('.')[1]}.{one.__name__}" for one in (*POINTS, *RUNS))
             given = getattr(analysis, "__name__", analysis)
             raise InputError(f"Results of {given!r} have no responses yet. Take one of {known}.")
         for name, value in (("text", text), ("analysis", analysis), ("model", model), ("arguments", arguments)):
@@ -61,7 +65,7 @@ class Response:
 
     @cached_property
     def _read(self) -> Read:
-        return read_response(self.text, POINTS[self.analysis](compile(self.model), **self.arguments).data())
+        return read_response(self.text, _solved(self, compile(self.model)).data())
 
     @property
     def value(self) -> float:
@@ -119,9 +123,16 @@ def value_and_gradient(of: Response | Sequence[Response], wrt: Wrt) -> tuple[Any
     return _found(several, by, isinstance(of, Response))
 
 
+def _solved(of: Response, system: System) -> Point | RunPoint:
+    """The analysis of a response at its solution, of a system of its model."""
+    if of.analysis in RUNS:
+        return RUNS[of.analysis](of.model, **of.arguments)
+    return POINTS[of.analysis](system, **of.arguments)
+
+
 def _found(several: Sequence[Response], by: Varied, single: bool) -> tuple[Any, xr.DataArray]:
     first = several[0]
-    point = POINTS[first.analysis](by.system, **first.arguments)
+    point = _solved(first, by.system)
     data = point.data()
     read = [read_response(one.text, data) for one in several]
     for one, own in zip(several, read, strict=True):
@@ -130,8 +141,8 @@ def _found(several: Sequence[Response], by: Varied, single: bool) -> tuple[Any, 
                 f"{one.text} has no gradient here: {'; '.join(own.ties)} equally large. "
                 "Take pnorm(..., 8) or ks(..., r), which are smooth, or name one of them in brackets."
             )
-    found = gradients_at(point, by, [own.seeds for own in read])
-    texts = [one.text for one in several]
+    texts, seeds = [one.text for one in several], [own.seeds for own in read]
+    found = point.gradients(by, seeds, texts) if isinstance(point, RunPoint) else gradients_at(point, by, seeds)
     values = np.array([own.value for own in read])
     coords = {"number": list(by.names), "response": texts}
     array = xr.DataArray(found, dims=("response", "number"), coords=coords)

@@ -1,0 +1,239 @@
+"""The variation of a motion between two instants, turned round: what a change of the state at the end owes to that at the start.
+
+Small changes of a motion M a + J^T N = f, J a = gamma obey
+
+    dx' = dv,    dv' = a_x dx + a_v dv + a_p dp
+
+with the derivatives of the accelerations from K (a_x; N_x) = -r_x, K = dr/d(a, N), of the residual r. In cells of the time
+they are integrated by collocation at Gauss points, of order 2 s (Hairer, Norsett & Wanner, Solving Ordinary Differential
+Equations I, 1993, II.7), with the states of the run itself at these points; the transpose of a cell is exact, so that the
+gradient is that of the integrated variation. Of a motion without explicit time, l^T (v, a) of the adjoint l does not change:
+that measures the error.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator, Sequence
+from dataclasses import dataclass
+from typing import TYPE_CHECKING, Any, NamedTuple
+
+import numpy as np
+
+from kinetruss.errors import AnalysisError
+from kinetruss.gradients.nearness import Near, colours
+
+if TYPE_CHECKING:
+    from numpy.typing import NDArray
+
+    Floats = NDArray[np.float64]
+
+STAGES = 4
+"""Gauss points of a cell."""
+NUDGE = 1e-5
+"""Step of differences by places and velocities, in parts of their size; the error is the square of it."""
+LEAK = 1e-9
+"""Fraction of a change beyond which it is not near what causes it."""
+
+
+class States(NamedTuple):
+    """Instants (s,) of a run: t; x, v, a (s, 3 n); N (s, rows) of the rows of the equations."""
+
+    t: Floats
+    x: Floats
+    v: Floats
+    a: Floats
+    N: Floats
+
+    def part(self, which: Any) -> States:
+        """Some of them."""
+        return States(*(one[which] for one in self))
+
+
+class Columns(NamedTuple):
+    """Columns by free coordinates that one evaluation finds together: of no two of a group are nodes near both.
+
+    near : of each coordinate. count : of nodes.
+    """
+
+    groups: list[list[int]]
+    near: list[Near]
+    count: int
+
+    @classmethod
+    def of(cls, near: Sequence[Near], count: int) -> Columns:
+        """By the nodes near each coordinate."""
+        return cls(colours(near, count), [*near], count)
+
+    def found(
+        self, change: Callable[[list[int]], Floats], site: NDArray[np.int64]
+    ) -> Iterator[tuple[int, Any, Floats]]:
+        """Column, places of values, and the change (.., places) of these; change : of all values (.., m) for a group.
+
+        site (m,) : the node of each value, -1 unknown.
+        """
+        for group in self.groups:
+            moved = change(group)
+            if len(group) == 1:
+                yield group[0], slice(None), moved
+                continue
+            label = np.full(self.count + 1, -1)  # the last is of what is nowhere
+            for j in group:
+                label[[*(self.near[j] or ())]] = j
+            own = label[site]
+            if np.abs(moved[..., own < 0]).sum() > LEAK * np.abs(moved).sum():
+                for j in group:
+                    yield j, slice(None), change([j])
+                continue
+            for j in group:
+                places = np.flatnonzero(own == j)
+                yield j, places, moved[..., places]
+
+
+class Tangent(NamedTuple):
+    """Derivatives at instants: rx, rv (s, m', free) of the residual at fixed a and N; inverse (s, m', m') of K: all of what is
+    kept.
+    """
+
+    rx: Floats
+    rv: Floats
+    inverse: Floats
+
+
+@dataclass(frozen=True, eq=False)
+class Varying:
+    """A motion that can be varied.
+
+    residual : (s, m) of states. states : those of the run at instants. free : flat free coordinates. kept : places among the
+    residuals and unknowns (a, N) of those that determine the accelerations. columns, site : which nodes are near to what.
+    length (free,) : m, what changes of places are compared with.
+    """
+
+    residual: Callable[[States], Floats]
+    free: NDArray[np.int64]
+    kept: NDArray[np.int64]
+    columns: Columns
+    site: NDArray[np.int64]
+    length: Floats
+
+    def tangent(self, at: States) -> Tangent:
+        """The derivatives at these instants."""
+        count, size = len(self.free), len(self.site)
+        speed = float(np.abs(at.v).max(initial=0.0)) or float(self.length.mean())
+        by_x = self._by(at, "x", NUDGE * self.length)
+        by_v = self._by(at, "v", np.full(count, NUDGE * speed))
+        K = np.zeros((len(at.t), size, size))
+        K[:, :, :count] = self._by(at, "a", np.full(count, max(float(np.abs(at.a).max(initial=0.0)), 1.0)))
+        K[:, :count, count:] = -K[:, count:, :count].swapaxes(1, 2)
+        square = K[:, self.kept[:, None], self.kept]
+        try:
+            inverse = np.linalg.inv(square)
+        except np.linalg.LinAlgError:
+            raise AnalysisError("The motion passes a singular position, through which it has no gradient.") from None
+        return Tangent(by_x[:, self.kept], by_v[:, self.kept], inverse)
+
+    def _by(self, at: States, name: str, step: Floats) -> Floats:
+        """Derivatives (s, m, free) of the residual by places, velocities or accelerations."""
+        own = getattr(at, name)
+
+        def change(group: list[int]) -> Floats:
+            there = []
+            for way in (1.0, -1.0):
+                moved = own.copy()
+                moved[:, self.free[group]] += way * step[group]
+                there.append(self.residual(at._replace(**{name: moved})))
+            return 0.5 * (there[0] - there[1])
+
+        found = np.zeros((len(at.t), len(self.site), len(self.free)))
+        for j, places, moved in self.columns.found(change, self.site):
+            found[:, places, j] = moved / step[j]
+        return found
+
+    def weights(self, at: Tangent, of_a: Floats, of_N: Floats | None = None) -> Floats:
+        """z (s, k, m) of K^T z = weights of a (s, k, free) and N (s, k, rows)."""
+        count, size = of_a.shape[2], len(self.site)
+        right = np.zeros((*of_a.shape[:2], size))
+        right[:, :, :count] = of_a
+        if of_N is not None:
+            right[:, :, count:] = of_N
+        found = np.zeros_like(right)
+        found[:, :, self.kept] = right[:, :, self.kept] @ at.inverse
+        return found
+
+
+# Collocation in cells.
+
+
+class _Gauss(NamedTuple):
+    """c (s,), b (s,), A (s, s) of collocation at Gauss points, A^2 and b A."""
+
+    c: Floats
+    b: Floats
+    A: Floats
+    twice: Floats
+    above: Floats
+
+
+def gauss(stages: int) -> _Gauss:
+    """The numbers of collocation.
+
+    >>> gauss(1).c.tolist(), gauss(1).A.tolist()
+    ([0.5], [[0.5]])
+    """
+    points, weights = np.polynomial.legendre.leggauss(stages)
+    c, b = 0.5 * (1.0 + points), 0.5 * weights
+    powers = np.arange(stages)
+    # sum_j A_ij c_j^k = c_i^(k + 1)/(k + 1)
+    A = np.linalg.solve((c[None] ** powers[:, None]), (c[:, None] ** (powers + 1) / (powers + 1)).T).T
+    return _Gauss(c, b, A, A @ A, b @ A)
+
+
+class Cells(NamedTuple):
+    """Transposed cells: back (cells, 2 f, 2 f) of states at the end to those at the start; inner (cells, s f, 2 f): the
+    weights of the accelerations at the Gauss points.
+    """
+
+    back: Floats
+    inner: Floats
+
+
+def cells_of(at: Tangent, h: Floats, kept: int, scheme: _Gauss) -> Cells:
+    """The cells of lengths h (cells,), with derivatives at all their Gauss points in order; kept : free coordinates."""
+    f, s, count = kept, len(scheme.b), len(h)
+    solved = -at.inverse[:, :f] @ np.concatenate([at.rx, at.rv], axis=2)
+    ax, av = (one.reshape(count, s, f, f) for one in (solved[:, :, :f], solved[:, :, f:]))
+    h4 = h[:, None, None, None]
+    # (1 - D) k = E y0, y1 = P y0 + Q k
+    D = np.zeros((count, s, f, s, f))
+    for i in range(s):
+        for j in range(s):
+            D[:, i, :, j] = h4[:, 0] ** 2 * scheme.twice[i, j] * ax[:, i] + h4[:, 0] * scheme.A[i, j] * av[:, i]
+    D = np.eye(s * f) - D.reshape(count, s * f, s * f)
+    E = np.concatenate([ax, h4 * scheme.c[None, :, None, None] * ax + av], axis=3).reshape(count, s * f, 2 * f)
+    Q = np.zeros((count, 2 * f, s, f))
+    one = np.arange(f)
+    for j in range(s):
+        Q[:, one, j, one] = (h**2 * scheme.above[j])[:, None]
+        Q[:, f + one, j, one] = (h * scheme.b[j])[:, None]
+    inner = np.linalg.solve(D.swapaxes(1, 2), Q.reshape(count, 2 * f, s * f).swapaxes(1, 2))
+    back = E.swapaxes(1, 2) @ inner
+    back[:, np.arange(2 * f), np.arange(2 * f)] += 1.0
+    back[:, f + one, one] += h[:, None]
+    return Cells(back, inner)
+
+
+def edges_between(marks: Floats, t: Floats, h: Floats, share: float) -> Floats:
+    """Ends of cells from the first of the marks to the last, which all are ends; no cell is longer than a share of the steps.
+
+    t, h : instants of a run and its steps there.
+
+    >>> edges_between(np.array([0.0, 1.0]), np.array([0.0, 1.0]), np.array([0.5, 0.5]), 1.0).tolist()
+    [0.0, 0.5, 1.0]
+    """
+    passed = np.concatenate([[0.0], np.cumsum(np.diff(t) * 0.5 * (1.0 / h[1:] + 1.0 / h[:-1]))]) / share
+    found = [marks[:1]]
+    for first, last in zip(marks[:-1], marks[1:], strict=True):
+        a, b = np.interp([first, last], t, passed)
+        count = max(1, int(np.ceil(b - a - 1e-6)))
+        inner = np.interp(np.linspace(a, b, count + 1)[1:-1], passed, t)
+        found += [inner, [last]]
+    return np.concatenate(found)
