@@ -15,22 +15,26 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass
+from functools import cached_property
 from typing import TYPE_CHECKING, Any, NamedTuple
 
 import numpy as np
 
 from kinetruss.errors import AnalysisError
 from kinetruss.gradients.nearness import Near, colours
+from kinetruss.kernels.solve.adjoint import adjoint_cells
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray
 
     Floats = NDArray[np.float64]
 
-STAGES = 4
+STAGES = 6
 """Gauss points of a cell."""
 NUDGE = 1e-5
 """Step of differences by places and velocities, in parts of their size; the error is the square of it."""
+MASSLESS, ROUND_OFF = 1e-6, 1e-12
+"""Root of the mass of a coordinate, as a fraction of the largest, that counts as none; change of masses that counts as none."""
 LEAK = 1e-9
 """Fraction of a change beyond which it is not near what causes it."""
 
@@ -89,14 +93,37 @@ class Columns(NamedTuple):
                 yield j, places, moved[..., places]
 
 
-class Tangent(NamedTuple):
-    """Derivatives at instants: rx, rv (s, m', free) of the residual at fixed a and N; inverse (s, m', m') of K: all of what is
-    kept.
+@dataclass(frozen=True, eq=False)
+class Tangent:
+    """Derivatives at instants: rx, rv (s, m', free) of the residual of what is kept, at fixed a and N; M (f, f) or (s, f, f) and J
+    (s, rows, f) of M a + J^T N = f, J a = gamma.
     """
 
     rx: Floats
     rv: Floats
-    inverse: Floats
+    M: Floats
+    J: Floats
+
+    @cached_property
+    def inverse(self) -> Floats:
+        """That of [M J^T; J 0], (s, m', m'), symmetric."""
+        f, r = self.J.shape[2], self.J.shape[1]
+        whole = np.zeros((len(self.J), f + r, f + r))
+        size = np.sqrt(np.abs(np.diagonal(self.M, axis1=-2, axis2=-1)))
+        try:
+            if size.min(initial=1.0) > MASSLESS * size.max(initial=1.0):
+                inverse = np.linalg.inv(self.M)
+                W = inverse @ self.J.swapaxes(1, 2)
+                S = np.linalg.inv(self.J @ W)
+                across = W @ S
+                whole[:, :f, :f] = inverse - across @ W.swapaxes(1, 2)
+                whole[:, :f, f:], whole[:, f:, :f], whole[:, f:, f:] = across, across.swapaxes(1, 2), -S
+                return whole
+            # coordinates without mass
+            whole[:, :f, :f], whole[:, f:, :f], whole[:, :f, f:] = self.M, self.J, self.J.swapaxes(1, 2)
+            return np.asarray(np.linalg.inv(whole))
+        except np.linalg.LinAlgError:
+            raise AnalysisError("The motion passes a singular position, through which it has no gradient.") from None
 
 
 @dataclass(frozen=True, eq=False)
@@ -117,46 +144,46 @@ class Varying:
 
     def tangent(self, at: States) -> Tangent:
         """The derivatives at these instants."""
-        count, size = len(self.free), len(self.site)
+        count = len(self.free)
         speed = float(np.abs(at.v).max(initial=0.0)) or float(self.length.mean())
         by_x = self._by(at, "x", NUDGE * self.length)
         by_v = self._by(at, "v", np.full(count, NUDGE * speed))
-        K = np.zeros((len(at.t), size, size))
-        K[:, :, :count] = self._by(at, "a", np.full(count, max(float(np.abs(at.a).max(initial=0.0)), 1.0)))
-        K[:, :count, count:] = -K[:, count:, :count].swapaxes(1, 2)
-        square = K[:, self.kept[:, None], self.kept]
-        try:
-            inverse = np.linalg.inv(square)
-        except np.linalg.LinAlgError:
-            raise AnalysisError("The motion passes a singular position, through which it has no gradient.") from None
-        return Tangent(by_x[:, self.kept], by_v[:, self.kept], inverse)
+        by_a = self._by(at, "a", np.full(count, max(float(np.abs(at.a).max(initial=0.0)), 1.0)), self.residual(at))[:, self.kept]
+        mass = -by_a[:, :count]
+        mass = mass[0] if np.abs(mass - mass[0]).max(initial=0.0) <= ROUND_OFF * np.abs(mass).max(initial=0.0) else mass
+        return Tangent(by_x[:, self.kept], by_v[:, self.kept], mass, by_a[:, count:])
 
-    def _by(self, at: States, name: str, step: Floats) -> Floats:
-        """Derivatives (s, m, free) of the residual by places, velocities or accelerations."""
-        own = getattr(at, name)
+    def _by(self, at: States, name: str, step: Floats, here: Floats | None = None) -> Floats:
+        """Derivatives (s, m, free) of the residual by places, velocities or accelerations; here : its value, if it is linear."""
+        moved = getattr(at, name).copy()
+        there = at._replace(**{name: moved})
 
         def change(group: list[int]) -> Floats:
-            there = []
-            for way in (1.0, -1.0):
-                moved = own.copy()
-                moved[:, self.free[group]] += way * step[group]
-                there.append(self.residual(at._replace(**{name: moved})))
-            return 0.5 * (there[0] - there[1])
+            flat = self.free[group]
+            kept = moved[:, flat]
+            moved[:, flat] = kept + step[group]
+            up = self.residual(there)
+            if here is not None:
+                found = up - here
+            else:
+                moved[:, flat] = kept - step[group]
+                found = 0.5 * (up - self.residual(there))
+            moved[:, flat] = kept
+            return found
 
         found = np.zeros((len(at.t), len(self.site), len(self.free)))
-        for j, places, moved in self.columns.found(change, self.site):
-            found[:, places, j] = moved / step[j]
+        for j, places, effect in self.columns.found(change, self.site):
+            found[:, places, j] = effect / step[j]
         return found
 
     def weights(self, at: Tangent, of_a: Floats, of_N: Floats | None = None) -> Floats:
         """z (s, k, m) of K^T z = weights of a (s, k, free) and N (s, k, rows)."""
-        count, size = of_a.shape[2], len(self.site)
-        right = np.zeros((*of_a.shape[:2], size))
-        right[:, :, :count] = of_a
+        count, found = len(self.free), np.zeros((*of_a.shape[:2], len(self.site)))
+        both = of_a @ at.inverse[:, :count]
         if of_N is not None:
-            right[:, :, count:] = of_N
-        found = np.zeros_like(right)
-        found[:, :, self.kept] = right[:, :, self.kept] @ at.inverse
+            both += of_N[:, :, self.kept[count:] - count] @ at.inverse[:, count:]
+        both[:, :, :count] *= -1.0
+        found[:, :, self.kept] = both
         return found
 
 
@@ -199,7 +226,9 @@ class Cells(NamedTuple):
 def cells_of(at: Tangent, h: Floats, kept: int, scheme: _Gauss) -> Cells:
     """The cells of lengths h (cells,), with derivatives at all their Gauss points in order; kept : free coordinates."""
     f, s, count = kept, len(scheme.b), len(h)
-    solved = -at.inverse[:, :f] @ np.concatenate([at.rx, at.rv], axis=2)
+    both = np.concatenate([at.rx, at.rv], axis=2)
+    both[:, f:] *= -1.0
+    solved = at.inverse[:, :f] @ both
     ax, av = (one.reshape(count, s, f, f) for one in (solved[:, :, :f], solved[:, :, f:]))
     h4 = h[:, None, None, None]
     # (1 - D) k = E y0, y1 = P y0 + Q k
@@ -219,6 +248,34 @@ def cells_of(at: Tangent, h: Floats, kept: int, scheme: _Gauss) -> Cells:
     back[:, np.arange(2 * f), np.arange(2 * f)] += 1.0
     back[:, f + one, one] += h[:, None]
     return Cells(back, inner)
+
+
+def back_through(
+    at: Tangent, h: Floats, stages: int, adjoint: Floats, jump: Floats, stiff: bool
+) -> tuple[Floats, Floats, Floats]:
+    """From the last of cells of lengths h to the first: the adjoints (cells, k, 2 f) at the end and the start of each, and the
+    weights (cells, s, k, f) of the accelerations at its Gauss points.
+
+    adjoint (k, 2 f) : at the end. jump (cells, k, 2 f) : what comes to it at the start of each cell. stiff : by matrices of the
+    cells. Else the stages follow by simple iteration, which converges where a cell is short against all that vibrates, as the
+    steps of explicit methods are.
+    """
+    f, count, scheme = at.J.shape[2], len(h), gauss(stages)
+    later, earlier = np.empty((2, count, *adjoint.shape))
+    later[-1] = adjoint
+    if not stiff:
+        inner, G = np.empty((count, stages, len(adjoint), f)), at.inverse[:, :f].copy()
+        G[:, :, :f] *= -1.0
+        left = adjoint_cells(G, np.concatenate([at.rx, at.rv], axis=2), h, tuple(scheme), jump, later, earlier, inner)
+        if not left:
+            return later, earlier, inner
+    cells = cells_of(at, h, f, scheme)
+    for c in range(count - 1, -1, -1):
+        earlier[c] = later[c] @ cells.back[c].T
+        if c:
+            later[c - 1] = earlier[c] + jump[c]
+    inner = (later @ cells.inner.swapaxes(1, 2)).reshape(count, len(adjoint), stages, f).swapaxes(1, 2)
+    return later, earlier, inner
 
 
 def edges_between(marks: Floats, t: Floats, h: Floats, share: float) -> Floats:

@@ -7,7 +7,7 @@ follow from its state by the equations of motion; at the start, places and veloc
 from __future__ import annotations
 
 import re
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from copy import copy
 from dataclasses import dataclass, field, replace
 from functools import cached_property
@@ -16,7 +16,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 import xarray as xr
 
-from kinetruss.dynamics.equations import equations
+from kinetruss.dynamics.equations import with_numbers
 from kinetruss.dynamics.integrators import jumps, watched
 from kinetruss.dynamics.simulation import stepper_for, wanted_times
 from kinetruss.dynamics.simulation_problem import Problem, all_rows
@@ -24,7 +24,7 @@ from kinetruss.dynamics.simulation_records import Trace, simulation_of
 from kinetruss.dynamics.simulation_setup import Options, problem_of, seconds
 from kinetruss.dynamics.starting import given_positions, given_velocities
 from kinetruss.errors import AnalysisError, InputError
-from kinetruss.gradients.along_run import STAGES, Columns, States, Varying, cells_of, edges_between, gauss
+from kinetruss.gradients.along_run import STAGES, Columns, States, Varying, back_through, edges_between, gauss
 from kinetruss.gradients.differences import FOUR, TWO, Weighed, differences
 from kinetruss.gradients.nearness import parts_of, site_of_rows, sites, sites_along
 from kinetruss.gradients.varied import STEP, Varied
@@ -34,8 +34,7 @@ from kinetruss.kernels.solve.kkt import prepare_rows, row_gaps, row_gradients, r
 from kinetruss.kernels.solve.residuals import residuals
 from kinetruss.kernels.structure.terms import measure_value
 from kinetruss.mechanics import System, compile
-from kinetruss.mechanics.solvers import LARGEST_DENSE
-from kinetruss.model import ERROR_CONTROLLED, Model, Taylor
+from kinetruss.model import ERROR_CONTROLLED, Model, Radau
 from kinetruss.results.user_parts import users_of
 from kinetruss.threads import one_thread
 
@@ -46,12 +45,13 @@ if TYPE_CHECKING:
 
 CLOSE = 2e-5
 """Step of differences by numbers, in parts of each: the error is the square of it."""
-SHARE = {Taylor.__name__: 0.5}
-"""Longest cell in steps of the method, where it is not one step."""
-GOOD, BEST, FAIR = 1e-9, 4, 1e-6
-"""Error of the adjoint below which cells are short enough; how often they are halved; error above which there is no result."""
-ROOM = 48e6
-"""Bytes of the derivatives that are held at once."""
+SHARE = {"Taylor": 0.75, "DOP853": 1.75, "Radau": 2.0}
+"""Longest cell in steps of the method."""
+GOOD, BEST, FAIR = 1e-10, 3, 100.0
+"""Error of the adjoint, or rtol if that is more, at which cells are short enough; how often they are halved; multiple of it
+above which there is no result."""
+ROOM, STORED = 32e6, 400e6
+"""Bytes of the derivatives, and of the states, that are held at once."""
 MOVED = 1e-12
 """Change of the start by its projection, relative, that is round-off."""
 LEFT_OUT = ("step_size", "smallest_pivot", "constraint_error", "steps", "rejected", "evaluations", "singularity")
@@ -63,27 +63,25 @@ PLAIN = {"position": 0, "velocity": 1, "acceleration": 2}
 @dataclass(frozen=True, eq=False)
 class _At:
     """The equations of a run with some numbers. given : places and velocities (3 n,) before they are brought onto the
-    constraints. order : places of the rows of the run's equations among these.
+    constraints. shift (3 n,) : of supports.
     """
 
     problem: Problem
     given: tuple[Floats, Floats]
     shift: Floats
-    order: NDArray[np.int64]
 
     def solved(self, at: States) -> tuple[States, Floats]:
         """The states with these numbers at the same free coordinates, and their residual (s, free + rows)."""
-        eq = self.problem.eq
-        back = np.argsort(self.order)
-        x, v, a, N = at.x + self.shift, at.v.copy(), at.a.copy(), np.ascontiguousarray(at.N[:, back])
+        eq, x, v, a = self.problem.eq, at.x + self.shift, at.v, at.a
+        if len(eq.held):  # they are set
+            v, a = v.copy(), a.copy()
         out = np.empty((len(x), len(eq.free) + len(eq.row)))
-        residuals(eq, self.problem.ws, np.ascontiguousarray(at.t), x, v, a, N, out)
-        out[:, len(eq.free) :] = out[:, len(eq.free) :][:, self.order]
+        residuals(eq, self.problem.ws, at.t, x, v, a, at.N, out)
         return States(at.t, x, v, a, at.N), out
 
     def trace(self, at: States) -> Trace:
         """Samples of solved states."""
-        N = all_rows(self.problem, at.t, at.x, at.v, np.ascontiguousarray(at.N[:, np.argsort(self.order)]))
+        N = all_rows(self.problem, at.t, at.x, at.v, at.N)
         return Trace(t=at.t, x=at.x, v=at.v, a=at.a, N=N, extra=np.zeros((len(N), 0)), diagnostics=np.zeros((len(N), 6)))
 
 
@@ -145,20 +143,17 @@ class RunPoint:
 
     @cached_property
     def _base(self) -> _At:
-        return self._made(self.problem.system, self.model)
+        x, v = given_positions(self.problem.system, self.options.positions), given_velocities(self.problem.system, self.options.velocities)
+        return _At(self.problem.fresh(), (x, v), np.zeros_like(x))
 
     def _made(self, system: System, model: Model) -> _At:
-        old, given = self.problem, self.options.trajectory
+        old, given = self._base.problem, self.options.trajectory
         moving = model.trajectories[given] if isinstance(given, str) else given
-        solver = "dense" if len(old.eq.free) <= LARGEST_DENSE else "auto"
-        eq, ws = equations(system, old.load_case, dict(old.tasks), moving, solver, self.t_end)
+        eq = with_numbers(old.eq, system, old.load_case, old.tasks, moving, self.t_end)
         start = given_positions(system, self.options.positions), given_velocities(system, self.options.velocities)
-        shift = start[0] - given_positions(old.system, self.options.positions)
+        shift = start[0] - self._base.given[0]
         shift[eq.free] = 0.0
-        base = self.__dict__.get("_base")
-        row = eq.row if base is None else base.problem.eq.row
-        order = np.array([int(np.flatnonzero(eq.row == r)[0]) for r in row], np.int64)
-        return _At(replace(old, system=system, eq=eq, ws=ws), start, shift, order)
+        return _At(replace(old, system=system, eq=eq), start, shift)
 
     def _at(self, by: Varied, change: Floats) -> _At:
         """With numbers changed by (K,). What moves drives, and what is no number of the elements, is set up anew."""
@@ -250,13 +245,14 @@ class RunPoint:
             )
         read = self._reading(by, seeds)
         found = self._of_marks(by, read)
+        good = max(GOOD, self.problem.method.rtol)
         for _ in range(BEST + 1):
             gradient, start, error = self._swept(by, read)
-            if error <= GOOD or error > 0.5 * read.error:
+            if error <= good or error > 0.5 * read.error:
                 break
             read.share, read.error = 0.5 * read.share, error
         error = min(error, read.error)
-        if not error <= FAIR:
+        if not error <= FAIR * good:
             raise AnalysisError(
                 f"The gradient along the run is not known to more than {error:.2g} of its size: a force that jumps or bends (dry "
                 "friction, an impact), or a motion that the method follows too roughly. Tighten rtol and atol, or smooth that."
@@ -309,7 +305,7 @@ class RunPoint:
             gaps[k + j, int(np.flatnonzero(times == events[one, 1])[0]), int(events[one, 0])] = 1.0
         read.weight = np.concatenate([*pieces, gaps], axis=2)
         read.site = np.concatenate([*(self._sites(name).reshape(-1) for name in names), np.full(count, -1)]).astype(np.int64)
-        read.share, read.error = SHARE.get(type(self.problem.method).__name__, 1.0), np.inf
+        read.share, read.error = SHARE[type(self.problem.method).__name__], np.inf
         self._reduce(read)
         self._follow_events(read, [(one, float(events[one, 1]), of_time[:, one], one == stop) for one in met], k)
         return read
@@ -439,57 +435,41 @@ class RunPoint:
     def _steps(self) -> tuple[Floats, Floats]:
         """Instants and the steps of the method there."""
         trace = self.trace
-        if len(trace.t) < 2 * trace.diagnostics[-1, 3]:
-            count = int(min(2 * trace.diagnostics[-1, 3], 20000)) + 2
+        if len(trace.t) < 0.5 * trace.diagnostics[-1, 3]:
+            count = int(min(0.5 * trace.diagnostics[-1, 3], 20000)) + 2
             trace = self._stepper().advance(np.linspace(0.0, float(self.trace.t[-1]), count))
         size = trace.diagnostics[:, 0]
         good = size > 0
         return trace.t[good], size[good]
 
     def _swept(self, by: Varied, read: _Reading) -> tuple[Floats, Floats, float]:
-        """Derivatives (k, numbers) by what numbers do along the run; the adjoint (2 free, k) at the start; its error."""
+        """Derivatives (k, numbers) by what numbers do along the run; the adjoint (k, 2 free) at the start; its error."""
         vary, base, k = self._varying, self._base, read.weight.shape[0]
-        f, scheme, last = len(vary.free), gauss(STAGES), float(read.states.t[-1])
-        jump = {float(t): np.concatenate([sx, sv], axis=1).T for t, sx, sv in zip(read.states.t, read.sx, read.sv, strict=True)}
-        adjoint, found = jump[last].copy(), np.zeros((k, len(by.names)))
+        f, last, stiff = len(vary.free), float(read.states.t[-1]), isinstance(self.problem.method, Radau)
+        jump = {float(t): np.concatenate([sx, sv], axis=1) for t, sx, sv in zip(read.states.t, read.sx, read.sv, strict=True)}
+        adjoint, found = jump[last], np.zeros((k, len(by.names)))
         if last == 0.0:
             return found, adjoint, 0.0
         breaks = [t for t in jumps(base.problem.eq, all_pieces=True) if 0.0 < t < last]
         bends = self.work.happened()["events"][:, 1]
         inner = np.concatenate([read.states.t, breaks, bends[(bends > 0.0) & (bends < last)]])
         edges = edges_between(np.unique(np.concatenate([[0.0], inner])), *self._steps, read.share)
-        size = STAGES * (f + len(vary.site)) ** 2 * 24 + (STAGES * f) ** 2 * 32 + STAGES * vary.free.max(initial=0) * 60
-        each = max(1, int(ROOM / size))
-        blocks = [slice(i, min(i + each, len(edges) - 1)) for i in range(0, len(edges) - 1, each)]
-        work, stored = self._stepper(), []
-        for block in blocks[:-1]:
-            stored.append(work.arrays())
-            work.advance(edges[block.stop : block.stop + 1])
-        stored.append(work.arrays())
+        size = STAGES * (f + len(vary.site)) ** 2 * 40 + (STAGES * f) ** 2 * 32 * stiff
         drift, error, scale = np.zeros(k), np.zeros(k), np.full(k, 1e-300)
-        for block, state in zip(reversed(blocks), reversed(stored), strict=True):
-            work = self._stepper()
-            if len(blocks) > 1:
-                work.restore(state)
-            own, h = edges[block.start : block.stop + 1], np.diff(edges[block.start : block.stop + 1])
-            inside = own[:-1, None] + h[:, None] * np.concatenate([[0.0], scheme.c])
-            every = self._states(work, np.append(inside.reshape(-1), own[-1]))
+        for own, every in self._backwards(edges, max(1, int(ROOM / size)), gauss(STAGES).c):
+            h = np.diff(own)
             ends = np.arange(len(own)) * (STAGES + 1)
             at = every.part(np.setdiff1d(np.arange(len(every.t)), ends))
             tangent = vary.tangent(at)
-            cells = cells_of(tangent, h, f, scheme)
-            later, earlier = np.empty((len(h), 2 * f, k)), np.empty((len(h), 2 * f, k))
-            for c in range(len(h) - 1, -1, -1):
-                later[c] = adjoint
-                earlier[c] = adjoint = cells.back[c] @ adjoint
-                if (more := jump.get(float(own[c]))) is not None:
-                    adjoint = adjoint + more
-            of_a = (cells.inner @ later).reshape(len(h) * STAGES, f, k).swapaxes(1, 2)
+            jumps_here = np.array([jump.get(float(t), np.zeros_like(adjoint)) for t in own[:-1]])
+            later, earlier, inner = back_through(tangent, h, STAGES, adjoint, jumps_here, stiff)
+            adjoint = earlier[0] + jumps_here[0]
+            of_a = inner.reshape(len(h) * STAGES, k, f)
             z = vary.weights(tangent, of_a)
             found -= self._by_numbers(by, lambda change, at=at, z=z: self._sums(by, change, at, z), vary.site, k)
             # l^T (v, a) changes by what depends on time
             rate = np.concatenate([every.v[ends][:, vary.free], every.a[ends][:, vary.free]], axis=1)
-            gain = np.einsum("cfk,cf->ck", later, rate[1:]) - np.einsum("cfk,cf->ck", earlier, rate[:-1])
+            gain = np.einsum("ckf,cf->ck", later, rate[1:]) - np.einsum("ckf,cf->ck", earlier, rate[:-1])
             step = 1e-4 * np.repeat(h, STAGES)
             left = [base.solved(at._replace(t=at.t + way * step))[1] for way in (1.0, -1.0)]
             by_time = np.einsum("skr,sr->sk", z, (left[0] - left[1]) / (2.0 * step[:, None]))
@@ -497,16 +477,39 @@ class RunPoint:
             gain[np.isin(own[:-1], breaks) | np.isin(own[1:], breaks)] = 0.0
             sums = drift + np.cumsum(gain[::-1], axis=0)
             drift, error = sums[-1], np.maximum(error, np.abs(sums).max(axis=0))
-            scale = np.maximum(scale, np.einsum("cfk,cf->ck", np.abs(later), np.abs(rate[1:])).max(axis=0))
+            scale = np.maximum(scale, np.einsum("ckf,cf->ck", np.abs(later), np.abs(rate[1:])).max(axis=0))
         return found, adjoint, float((error / scale).max(initial=0.0))
 
     def _sums(self, by: Varied, change: Floats, at: States, z: Floats) -> Floats:
         return np.asarray(np.einsum("skr,sr->kr", z, self._at(by, change).solved(at)[1]).reshape(-1))
 
+    def _backwards(self, edges: Floats, each: int, c: Floats) -> Iterator[tuple[Floats, States]]:
+        """From the end to the start, ends of at most so many cells, and the states at these and at the places c between.
+
+        The run is repeated once; if its states take too much room, from places that are stored on the way.
+        """
+        blocks = [slice(i, min(i + each, len(edges) - 1) + 1) for i in range(0, len(edges) - 1, each)]
+        together = max(1, int(STORED / ((len(c) + 1) * (self.trace.x.shape[1] * 4 + 8) * 8 * each)))
+        parts = [blocks[i : i + together] for i in range(0, len(blocks), together)]
+        work, stored = self._stepper(), []
+        for part in parts[:-1]:
+            stored.append(work.arrays())
+            work.advance(edges[part[-1].stop - 1 : part[-1].stop])
+        for part in reversed(parts):
+            if len(parts) > 1 and part is not parts[-1]:
+                work = self._stepper()
+                work.restore(stored.pop())
+            own = edges[part[0].start : part[-1].stop]
+            inside = own[:-1, None] + np.diff(own)[:, None] * np.concatenate([[0.0], c])
+            every, per = self._states(work, np.append(inside.reshape(-1), own[-1])), len(c) + 1
+            for block in reversed(part):
+                first, last = block.start - part[0].start, block.stop - 1 - part[0].start
+                yield edges[block], every.part(slice(first * per, last * per + 1))
+
     # The start.
 
     def _of_start(self, by: Varied, adjoint: Floats) -> Floats:
-        """Derivatives (k, numbers) by what numbers change at the start, from its adjoint (2 free, k)."""
+        """Derivatives (k, numbers) by what numbers change at the start, from its adjoint (k, 2 free)."""
         base, free, f = self._base, self._varying.free, len(self._varying.free)
         x, v = (one[free] for one in base.given)
         moved = np.abs(x - self.problem.x0[free]).max(initial=0.0) > MOVED * float(np.ptp(self.problem.x0))
@@ -515,10 +518,10 @@ class RunPoint:
         eq, ws = base.problem.eq, base.problem.ws
         still = States(np.zeros(1), self.problem.x0[None], self.problem.v0[None], np.zeros((1, base.shift.size)), np.zeros((1, len(eq.row))))
         tangent = self._varying.tangent(still)
-        halves = np.concatenate([adjoint[:f], adjoint[f:]], axis=1).T[None]
+        halves = np.concatenate([adjoint[:, :f], adjoint[:, f:]])[None]
         # M q + J^T n = l, J q = 0 : n is what the gaps of the rows count
         count = self._varying.weights(tangent, halves)[0][:, f:]
-        k = adjoint.shape[1]
+        k = len(adjoint)
 
         def of(change: Floats) -> Floats:
             at = self._at(by, change)
@@ -528,22 +531,21 @@ class RunPoint:
             gaps, rates = np.empty(len(eq.row)), np.empty(len(eq.row))
             row_gaps(at.problem.eq, place, at.problem.ws.target, gaps)
             row_rate_gaps(at.problem.eq, at.problem.ws, place, speed, at.problem.ws.target, rates)
-            gaps, rates = gaps[at.order], rates[at.order]
             by_rows = -(count[:k] * gaps + count[k:] * rates)
-            return np.concatenate([adjoint[:f].T * place[free] + adjoint[f:].T * speed[free], by_rows], axis=1).reshape(-1)
+            return np.concatenate([adjoint[:, :f] * place[free] + adjoint[:, f:] * speed[free], by_rows], axis=1).reshape(-1)
 
         return self._by_numbers(by, of, self._varying.site, k)
 
     def _of_projected_start(self, by: Varied, adjoint: Floats) -> Floats:
         """The same where the start is moved onto the constraints: by the whole set-up at changed numbers, one by one."""
-        free, found = self._varying.free, np.zeros((adjoint.shape[1], len(by.names)))
+        free, found = self._varying.free, np.zeros((len(adjoint), len(by.names)))
         for j in range(len(by.names)):
             for share, weight in FOUR:
                 change = np.zeros(len(by.names))
                 change[j] = share * STEP * by.scale[j]
                 start = problem_of(by.model_at(change), self.t_end, self.options)
                 state = np.concatenate([start.x0[free], start.v0[free]])
-                found[:, j] += weight * (adjoint.T @ state) / (STEP * by.scale[j])
+                found[:, j] += weight * (adjoint @ state) / (STEP * by.scale[j])
         return found
 
 
