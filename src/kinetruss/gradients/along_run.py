@@ -29,7 +29,7 @@ if TYPE_CHECKING:
 
     Floats = NDArray[np.float64]
 
-STAGES = 6
+STAGES = 8
 """Gauss points of a cell."""
 NUDGE = 1e-5
 """Step of differences by places and velocities, in parts of their size; the error is the square of it."""
@@ -148,10 +148,12 @@ class Varying:
         speed = float(np.abs(at.v).max(initial=0.0)) or float(self.length.mean())
         by_x = self._by(at, "x", NUDGE * self.length)
         by_v = self._by(at, "v", np.full(count, NUDGE * speed))
-        by_a = self._by(at, "a", np.full(count, max(float(np.abs(at.a).max(initial=0.0)), 1.0)), self.residual(at))[:, self.kept]
+        by_a = self._by(at, "a", np.full(count, max(float(np.abs(at.a).max(initial=0.0)), 1.0)), self.residual(at))
+        if len(self.kept) < len(self.site):
+            by_x, by_v, by_a = (one[:, self.kept] for one in (by_x, by_v, by_a))
         mass = -by_a[:, :count]
         mass = mass[0] if np.abs(mass - mass[0]).max(initial=0.0) <= ROUND_OFF * np.abs(mass).max(initial=0.0) else mass
-        return Tangent(by_x[:, self.kept], by_v[:, self.kept], mass, by_a[:, count:])
+        return Tangent(by_x, by_v, mass, by_a[:, count:])
 
     def _by(self, at: States, name: str, step: Floats, here: Floats | None = None) -> Floats:
         """Derivatives (s, m, free) of the residual by places, velocities or accelerations; here : its value, if it is linear."""
@@ -266,7 +268,11 @@ def back_through(
     if not stiff:
         inner, G = np.empty((count, stages, len(adjoint), f)), at.inverse[:, :f].copy()
         G[:, :, :f] *= -1.0
-        left = adjoint_cells(G, np.concatenate([at.rx, at.rv], axis=2), h, tuple(scheme), jump, later, earlier, inner)
+        R = np.concatenate([at.rx, at.rv], axis=2)
+        row, column = np.nonzero(np.abs(R).max(axis=0))
+        start = np.searchsorted(row, np.arange(R.shape[1] + 1))
+        pattern = start, column, np.ascontiguousarray(R[:, row, column])
+        left = adjoint_cells(G, pattern, h, tuple(scheme), jump, later, earlier, inner)
         if not left:
             return later, earlier, inner
     cells = cells_of(at, h, f, scheme)
