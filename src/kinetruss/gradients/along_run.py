@@ -21,6 +21,7 @@ from typing import TYPE_CHECKING, Any, NamedTuple
 import numpy as np
 
 from kinetruss.errors import AnalysisError
+from kinetruss.gradients.differences import FOUR, TWO
 from kinetruss.gradients.nearness import Near, colours
 from kinetruss.kernels.solve.adjoint import adjoint_cells
 
@@ -28,13 +29,18 @@ if TYPE_CHECKING:
     from numpy.typing import NDArray
 
     Floats = NDArray[np.float64]
+    Points = Sequence[tuple[float, float]]
 
 STAGES = 8
 """Gauss points of a cell."""
-NUDGE = 1e-5
-"""Step of differences by places and velocities, in parts of their size; the error is the square of it."""
-MASSLESS, ROUND_OFF = 1e-6, 1e-12
-"""Root of the mass of a coordinate, as a fraction of the largest, that counts as none; change of masses that counts as none."""
+NUDGE, LONGER = 1e-5, 1e-4
+"""Step of differences by places and velocities, in parts of their size; the error is the square of it. By places of what is
+elastic, where that square counts by the stiffness along against that across, those of fourth order take the longer one.
+"""
+LINEAR = ((1.0, 1.0),)
+"""Steps and weights of the difference of a linear function."""
+MASSLESS, ROUND_OFF = 1e8, 1e-12
+"""Condition of the masses from which on some coordinate has none; change of masses that counts as none."""
 LEAK = 1e-9
 """Fraction of a change beyond which it is not near what causes it."""
 
@@ -109,9 +115,9 @@ class Tangent:
         """That of [M J^T; J 0], (s, m', m'), symmetric."""
         f, r = self.J.shape[2], self.J.shape[1]
         whole = np.zeros((len(self.J), f + r, f + r))
-        size = np.sqrt(np.abs(np.diagonal(self.M, axis1=-2, axis2=-1)))
+        mass = self.M if self.M.ndim == 2 else self.M[0]
         try:
-            if size.min(initial=1.0) > MASSLESS * size.max(initial=1.0):
+            if np.linalg.cond(mass) < MASSLESS:
                 inverse = np.linalg.inv(self.M)
                 W = inverse @ self.J.swapaxes(1, 2)
                 S = np.linalg.inv(self.J @ W)
@@ -119,7 +125,7 @@ class Tangent:
                 whole[:, :f, :f] = inverse - across @ W.swapaxes(1, 2)
                 whole[:, :f, f:], whole[:, f:, :f], whole[:, f:, f:] = across, across.swapaxes(1, 2), -S
                 return whole
-            # coordinates without mass
+            # some coordinates have no mass of their own
             whole[:, :f, :f], whole[:, f:, :f], whole[:, :f, f:] = self.M, self.J, self.J.swapaxes(1, 2)
             return np.asarray(np.linalg.inv(whole))
         except np.linalg.LinAlgError:
@@ -132,7 +138,8 @@ class Varying:
 
     residual : (s, m) of states. states : those of the run at instants. free : flat free coordinates. kept : places among the
     residuals and unknowns (a, N) of those that determine the accelerations. columns, site : which nodes are near to what.
-    length (free,) : m, what changes of places are compared with.
+    length (free,) : m, what changes of places are compared with. elastic : something is, so that differences are of fourth
+    order.
     """
 
     residual: Callable[[States], Floats]
@@ -141,37 +148,51 @@ class Varying:
     columns: Columns
     site: NDArray[np.int64]
     length: Floats
+    elastic: bool
+
+    def nudged(self, function: Callable[[Floats], Floats], where: Floats, places: Any, step: Floats, points: Points) -> Floats:
+        """The change of a function of arrays (s, 3 n) for a step of some places of them; `where` is as before afterwards."""
+        kept, found = where[:, places], 0.0
+        for share, weight in points:
+            where[:, places] = kept + share * step
+            found = found + weight * function(where)
+        where[:, places] = kept
+        return np.asarray(found)
 
     def tangent(self, at: States) -> Tangent:
         """The derivatives at these instants."""
         count = len(self.free)
         speed = float(np.abs(at.v).max(initial=0.0)) or float(self.length.mean())
-        by_x = self._by(at, "x", NUDGE * self.length)
-        by_v = self._by(at, "v", np.full(count, NUDGE * speed))
-        by_a = self._by(at, "a", np.full(count, max(float(np.abs(at.a).max(initial=0.0)), 1.0)), self.residual(at))
+        by_x = self._by(at, "x", self.reach * self.length, self.points)
+        by_v = self._by(at, "v", np.full(count, NUDGE * speed), TWO)
+        size = np.full(count, max(float(np.abs(at.a).max(initial=0.0)), 1.0))
+        by_a = self._by(at, "a", size, LINEAR, self.residual(at))
         if len(self.kept) < len(self.site):
             by_x, by_v, by_a = (one[:, self.kept] for one in (by_x, by_v, by_a))
         mass = -by_a[:, :count]
         mass = mass[0] if np.abs(mass - mass[0]).max(initial=0.0) <= ROUND_OFF * np.abs(mass).max(initial=0.0) else mass
         return Tangent(by_x, by_v, mass, by_a[:, count:])
 
-    def _by(self, at: States, name: str, step: Floats, here: Floats | None = None) -> Floats:
-        """Derivatives (s, m, free) of the residual by places, velocities or accelerations; here : its value, if it is linear."""
+    @property
+    def points(self) -> Points:
+        """Those of differences by places."""
+        return FOUR if self.elastic else TWO
+
+    @property
+    def reach(self) -> float:
+        """Their step, in parts of lengths."""
+        return LONGER if self.elastic else NUDGE
+
+    def _by(self, at: States, name: str, step: Floats, points: Points, less: Floats | float = 0.0) -> Floats:
+        """Derivatives (s, m, free) of the residual by places, velocities or accelerations; less : its value, if points lie on one
+        side.
+        """
         moved = getattr(at, name).copy()
-        there = at._replace(**{name: moved})
 
         def change(group: list[int]) -> Floats:
-            flat = self.free[group]
-            kept = moved[:, flat]
-            moved[:, flat] = kept + step[group]
-            up = self.residual(there)
-            if here is not None:
-                found = up - here
-            else:
-                moved[:, flat] = kept - step[group]
-                found = 0.5 * (up - self.residual(there))
-            moved[:, flat] = kept
-            return found
+            return self.nudged(
+                lambda own: self.residual(at._replace(**{name: own})) - less, moved, self.free[group], step[group], points
+            )
 
         found = np.zeros((len(at.t), len(self.site), len(self.free)))
         for j, places, effect in self.columns.found(change, self.site):

@@ -47,6 +47,8 @@ CLOSE = 2e-5
 """Step of differences by numbers, in parts of each: the error is the square of it."""
 SHARE = {"Taylor": 1.4, "DOP853": 2.75, "Radau": 2.75}
 """Longest cell in steps of the method."""
+LEAST = 0.25
+"""Shortest step that counts, as a share of the median."""
 GOOD, BEST, FAIR = 3e-10, 3, 100.0
 """Error of the adjoint, or rtol if that is more, at which cells are short enough; how often they are halved; multiple of it
 above which there is no result."""
@@ -54,6 +56,8 @@ ROOM, STORED = 32e6, 400e6
 """Bytes of the derivatives, and of the states, that are held at once."""
 MOVED = 1e-12
 """Change of the start by its projection, relative, that is round-off."""
+JUMP = 0.1
+"""Second difference of a start, as a share of the step of a number, from which on it is no smooth function of it."""
 LEFT_OUT = ("step_size", "smallest_pivot", "constraint_error", "steps", "rejected", "evaluations", "singularity")
 """What the integration tells of itself."""
 PLAIN = {"position": 0, "velocity": 1, "acceleration": 2}
@@ -136,7 +140,7 @@ class RunPoint:
         if "event_time" in found:
             named = [one.name for one in self.result.events]
             coords["occurrence"] = [
-                name if name not in named[:j] else f"{name} {named[: j + 1].count(name)}" for j, name in enumerate(named)
+                name if name not in named[:j] else f"{name}_{named[: j + 1].count(name)}" for j, name in enumerate(named)
             ]
         return xr.Dataset(found, coords=coords)
 
@@ -157,26 +161,64 @@ class RunPoint:
         return _At(replace(old, system=system, eq=eq), start, shift)
 
     def _at(self, by: Varied, change: Floats) -> _At:
-        """With numbers changed by (K,). What moves drives, and what is no number of the elements, is set up anew."""
+        """With numbers changed by (K,)."""
         key = change.tobytes()
         if key not in self._others:
-            of_elements = np.isin(np.flatnonzero(change), np.concatenate([np.zeros(0), *(one[1] for one in by.places.values())]))
-            if of_elements.all() and not len(self.problem.eq.motion_kind):
-                self._others[key] = self._made(by.changed(change), self.model)
-            else:
-                model = by.model_at(change)
-                self._others[key] = self._made(compile(model), model)
-            self._same_jumps(self._others[key])
+            anew = bool(self._anew[np.flatnonzero(change)].any())
+            self._others[key] = found = self._changed(by, change, anew)
+            self._same_jumps(found)
         return self._others[key]
 
+    def _changed(self, by: Varied, change: Floats, anew: bool) -> _At:
+        """The same by the numbers of the elements alone, or by the model set up anew."""
+        model = by.model_at(change) if anew else self.model
+        return self._made(compile(model) if anew else by.changed(change), model)
+
+    def _sort(self, by: Varied, read: _Reading) -> None:
+        """Find the numbers on which more depends than the numbers of the elements tell: loads, motions, inputs."""
+        count = len(by.names)
+
+        def told(which: NDArray[np.int64]) -> bool:
+            change = np.zeros(count)
+            change[which] = CLOSE * by.scale[which]
+            one, two, base = (self._values(at, read) for at in (*(self._changed(by, change, anew) for anew in (False, True)), self._base))
+            if one.shape != two.shape or one.shape != base.shape:
+                return False
+            size = np.maximum(np.abs(one), np.abs(base))
+            return bool((np.abs(one - two) <= 1e-3 * np.abs(two - base) + 1e-9 * CLOSE * size).all())
+
+        def untold(which: NDArray[np.int64]) -> list[int]:
+            if told(which):
+                return []
+            half = len(which) // 2
+            return which.tolist() if not half else [*untold(which[:half]), *untold(which[half:])]
+
+        self._anew = np.zeros(count, bool)
+        self._anew[untold(np.arange(count))] = True
+
+    def _values(self, at: _At, read: _Reading) -> Floats:
+        """All that depends on numbers at fixed states: the equations, the start, what is read."""
+        states, left = at.solved(read.states)
+        eq = at.problem.eq
+        times = [eq.piece_start, eq.force_time, eq.load_time]
+        return np.concatenate([left.reshape(-1), eq.reals, *times, *at.given, self._columns(at, states, read).reshape(-1)])
+
     def _same_jumps(self, other: _At) -> None:
-        """Refuse numbers that move an instant at which a drive or support jumps."""
+        """Refuse numbers that move an instant at which a drive or support jumps, or a bend onto a sample of forces."""
         one, two = self._base.problem.eq, other.problem.eq
+        if np.array_equal(one.piece_start, two.piece_start):
+            return
         given = {*one.force_time.tolist(), *one.load_time.tolist()}
-        if [t for t in jumps(one) if t not in given] and not np.array_equal(one.piece_start, two.piece_start):
+        if [t for t in jumps(one) if t not in given]:
             raise AnalysisError(
                 "A number changes the instant at which a velocity or acceleration of a drive or support jumps; this gradient is "
                 "not known. Take a motion without jumps, as Quintic."
+            )
+        bends = one.piece_start[one.piece_start != two.piece_start]
+        if len(on := [t for t in self._forced if np.abs(bends - t).min() <= 10.0 * CLOSE * self.t_end]):
+            raise AnalysisError(
+                f"A force or acceleration is read at t = {on[0]:.6g} s, where a motion ends or changes its form, and a number moves "
+                "that instant: it has one gradient before and one after it. Choose other samples."
             )
 
     @cached_property
@@ -191,7 +233,10 @@ class RunPoint:
         kept = np.concatenate([np.arange(len(eq.free)), len(eq.free) + np.flatnonzero(~eq.redundant)])
         length = np.asarray(self.work.control.length, float)
         length = np.where(np.isfinite(length) & (length > 0), length, 1.0)
-        return Varying(lambda states: base.solved(states)[1], eq.free, kept, Columns.of(near, len(names)), site, length)
+        elastic = bool(eq.law_A.size or eq.element.size)
+        return Varying(
+            lambda states: base.solved(states)[1], eq.free, kept, Columns.of(near, len(names)), site, length, elastic
+        )
 
     # What responses read at samples and at events.
 
@@ -245,6 +290,9 @@ class RunPoint:
                 "Give the run an end in time, or read final(...) or max(...)."
             )
         read = self._reading(by, seeds)
+        self._others.clear()
+        self._forced = read.states.t[np.abs(read.z).max(axis=(1, 2), initial=0.0) > 0].tolist()
+        self._sort(by, read)
         found = self._of_marks(by, read)
         good = max(GOOD, 3.0 * self.problem.method.rtol)
         for _ in range(BEST + 1):
@@ -274,6 +322,13 @@ class RunPoint:
         events = self.work.happened()["events"]
         of_time = np.array([one.get("event_time", np.zeros(len(events))) for one in seeds])
         met = np.flatnonzero(np.abs(of_time).max(axis=0, initial=0.0) > 0).tolist()
+        last = max([*self.trace.t[wanted], *events[met, 1]], default=0.0)
+        for k, t, *_ in events[events[:, 1] <= last]:
+            if (name := list(self.problem.events)[int(k)]) not in (self.options.events or {}):
+                raise AnalysisError(
+                    f"The run has no gradient beyond t = {t:.6g} s: there {name} is met or left, and its force bends. Read earlier "
+                    "values, or take an elastic element without a gap."
+                )
         stop = len(events) - 1 if self.result.status.name == "EVENT" and wanted[-1] else -1
         if stop >= 0 and stop not in met:
             met.append(stop)
@@ -322,27 +377,28 @@ class RunPoint:
         vary, base, states, weight = self._varying, self._base, read.states, read.weight.swapaxes(0, 1)
         eq, used = base.problem.eq, np.flatnonzero(np.abs(read.weight).max(axis=(0, 1), initial=0.0) > 0)
 
-        def by(name: str, flat: NDArray[np.int64], step: Floats, columns: Columns) -> Floats:
-            own = getattr(states, name)
+        def by(name: str, flat: NDArray[np.int64], step: Floats, columns: Columns, points: Any = TWO) -> Floats:
+            moved = getattr(states, name).copy()
 
             def change(group: list[int]) -> Floats:
-                there = []
-                for way in (1.0, -1.0):
-                    moved = own.copy()
-                    moved[:, flat[group]] += way * step[group]
-                    there.append(self._columns(base, states._replace(**{name: moved}), read)[:, used])
-                return 0.5 * (there[0] - there[1])
+                return vary.nudged(
+                    lambda own: self._columns(base, states._replace(**{name: own}), read)[:, used],
+                    moved,
+                    flat[group],
+                    step[group],
+                    points,
+                )
 
             found = np.zeros((*weight.shape[:2], len(flat)))
-            for j, where, moved in columns.found(change, read.site[used]):
-                found[:, :, j] = np.einsum("mkv,mv->mk", weight[:, :, used][:, :, where], moved) / step[j]
+            for j, where, effect in columns.found(change, read.site[used]):
+                found[:, :, j] = np.einsum("mkv,mv->mk", weight[:, :, used][:, :, where], effect) / step[j]
             return found
 
         f, r = len(eq.free), len(eq.row)
         alone = Columns([[j] for j in range(r)], [None] * r, vary.columns.count)
         sizes = [float(np.abs(one).max(initial=0.0)) or 1.0 for one in (states.v, states.a, states.N)]
         if read.others or read.weight[..., -max(1, len(self.problem.events)) :].any():
-            sx = by("x", eq.free, CLOSE * vary.length, vary.columns)
+            sx = by("x", eq.free, vary.reach * vary.length, vary.columns, vary.points)
             sv, sa = (
                 by(name, eq.free, np.full(f, 1e-3 * size), vary.columns)
                 for name, size in (("v", sizes[0]), ("a", sizes[1]))
@@ -415,11 +471,11 @@ class RunPoint:
 
         return self._by_numbers(by, of, np.concatenate([self._varying.site, read.site]), k)
 
-    def _by_numbers(self, by: Varied, of: Any, site: NDArray[np.int64], k: int, points: Any = TWO) -> Floats:
+    def _by_numbers(self, by: Varied, of: Any, site: NDArray[np.int64], k: int) -> Floats:
         """Derivatives (k, numbers) of k sums of terms (k m,), each at a node (m,)."""
-        weight = np.kron(np.eye(k), np.ones(len(site)))
-        step = (CLOSE if points is TWO else STEP) * by.scale
-        return differences(Weighed(of, weight, np.tile(site, k)), by.near, step, self._varying.columns.count, points)
+        weight, vary = np.kron(np.eye(k), np.ones(len(site))), self._varying
+        step = (STEP if vary.elastic else CLOSE) * by.scale
+        return differences(Weighed(of, weight, np.tile(site, k)), by.near, step, vary.columns.count, vary.points)
 
     # The adjoint along the run.
 
@@ -437,7 +493,7 @@ class RunPoint:
         """Instants from the start to the end, and the steps of the method there."""
         t, h = np.array(self._noted).T
         good = (h > 0) & (np.diff(t, prepend=0.0) > 0)
-        t, h = t[good], h[good]
+        t, h = t[good], np.maximum(h[good], LEAST * np.median(h[good]))  # short steps after a break say little
         return np.concatenate([[0.0], t, [max(float(t[-1]), self.t_end)]]), np.concatenate([h[:1], h, h[-1:]])
 
     def _swept(self, by: Varied, read: _Reading) -> tuple[Floats, Floats, float]:
@@ -454,6 +510,7 @@ class RunPoint:
         edges = edges_between(np.unique(np.concatenate([[0.0], inner])), *self._steps, read.share)
         size = STAGES * (f + len(vary.site)) ** 2 * 40 + (STAGES * f) ** 2 * 32 * stiff
         eq = base.problem.eq
+        least = np.concatenate([vary.length / self.t_end, vary.length / self.t_end**2])  # of what is at rest
         timed = bool(len(eq.motion_kind) or len(eq.force_time) > len(eq.force_kind) or len(eq.load_time))
         drift, error, scale = np.zeros(k), np.zeros(k), np.full(k, 1e-300)
         for own, every in self._backwards(edges, max(1, int(ROOM / size)), gauss(STAGES).c):
@@ -478,7 +535,7 @@ class RunPoint:
             gain[np.isin(own[:-1], breaks) | np.isin(own[1:], breaks)] = 0.0
             sums = drift + np.cumsum(gain[::-1], axis=0)
             drift, error = sums[-1], np.maximum(error, np.abs(sums).max(axis=0))
-            scale = np.maximum(scale, np.einsum("ckf,cf->ck", np.abs(later), np.abs(rate[1:])).max(axis=0))
+            scale = np.maximum(scale, np.einsum("ckf,cf->ck", np.abs(later), np.abs(rate[1:]) + least).max(axis=0))
         return found, adjoint, float((error / scale).max(initial=0.0))
 
     def _sums(self, by: Varied, change: Floats, at: States, z: Floats) -> Floats:
@@ -540,13 +597,22 @@ class RunPoint:
     def _of_projected_start(self, by: Varied, adjoint: Floats) -> Floats:
         """The same where the start is moved onto the constraints: by the whole set-up at changed numbers, one by one."""
         free, found = self._varying.free, np.zeros((len(adjoint), len(by.names)))
+        here = np.concatenate([self.problem.x0[free], self.problem.v0[free]])
+        size = np.repeat([float(np.abs(one).max(initial=0.0)) or 1.0 for one in (self.problem.x0, self.problem.v0)], len(free))
         for j in range(len(by.names)):
-            for share, weight in FOUR:
+            states = []
+            for share, _ in FOUR:
                 change = np.zeros(len(by.names))
                 change[j] = share * STEP * by.scale[j]
                 start = problem_of(by.model_at(change), self.t_end, self.options)
-                state = np.concatenate([start.x0[free], start.v0[free]])
-                found[:, j] += weight * (adjoint @ state) / (STEP * by.scale[j])
+                states.append(np.concatenate([start.x0[free], start.v0[free]]))
+            if (np.abs(states[0] + states[1] - 2.0 * here) > JUMP * STEP * size).any():
+                raise AnalysisError(
+                    f"The start jumps with {by.names[j]}: velocities fit the constraints there and not beside it. Give velocities "
+                    "of all nodes, or none."
+                )
+            slope = sum(weight * state for (_, weight), state in zip(FOUR, states, strict=True))
+            found[:, j] = adjoint @ slope / (STEP * by.scale[j])
         return found
 
 
