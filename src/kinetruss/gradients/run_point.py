@@ -1,6 +1,6 @@
 """`dynamics.simulate` and its gradients: of values at instants, of what is read over time, of the times of events.
 
-The adjoint of the motion goes back from the samples that a response reads to the start (`along_run`). At a sample, a and N
+The adjoint of the motion goes back from the samples that a response reads to the start (`run_adjoint`). At a sample, a and N
 follow from its state by the equations of motion; at the start, places and velocities follow from the numbers of the model.
 """
 
@@ -24,7 +24,7 @@ from kinetruss.dynamics.simulation_records import Trace, simulation_of
 from kinetruss.dynamics.simulation_setup import Options, problem_of, seconds
 from kinetruss.dynamics.starting import given_positions, given_velocities
 from kinetruss.errors import AnalysisError, InputError
-from kinetruss.gradients.along_run import STAGES, Columns, States, Varying, back_through, edges_between, gauss
+from kinetruss.gradients.run_adjoint import STAGES, Columns, States, Varying, back_through, edges_between, gauss
 from kinetruss.gradients.differences import FOUR, TWO, Weighed, differences
 from kinetruss.gradients.nearness import parts_of, site_of_rows, sites, sites_along
 from kinetruss.gradients.varied import STEP, Varied
@@ -47,6 +47,8 @@ CLOSE = 2e-5
 """Step of differences by numbers, in parts of each: the error is the square of it."""
 SHARE = {"Taylor": 1.4, "DOP853": 2.75, "Radau": 2.75}
 """Longest cell in steps of the method."""
+REST = 1e-6
+"""Speed of what rests, in lengths over the time of the run."""
 LEAST = 0.25
 """Shortest step that counts, as a share of the median."""
 GOOD, BEST, FAIR = 3e-10, 3, 100.0
@@ -510,7 +512,7 @@ class RunPoint:
         edges = edges_between(np.unique(np.concatenate([[0.0], inner])), *self._steps, read.share)
         size = STAGES * (f + len(vary.site)) ** 2 * 40 + (STAGES * f) ** 2 * 32 * stiff
         eq = base.problem.eq
-        least = np.concatenate([vary.length / self.t_end, vary.length / self.t_end**2])  # of what is at rest
+        least = REST * np.concatenate([vary.length / self.t_end, vary.length / self.t_end**2])
         timed = bool(len(eq.motion_kind) or len(eq.force_time) > len(eq.force_kind) or len(eq.load_time))
         drift, error, scale = np.zeros(k), np.zeros(k), np.full(k, 1e-300)
         for own, every in self._backwards(edges, max(1, int(ROOM / size)), gauss(STAGES).c):

@@ -1,4 +1,4 @@
-"""The adjoint of a motion through cells of its time, in which it is integrated by collocation; see gradients.along_run."""
+"""The adjoint of a motion through cells of its time, in which it is integrated by collocation; see gradients.run_adjoint."""
 
 from __future__ import annotations
 
