@@ -1,4 +1,4 @@
-"""Sizing: tubes, screws, gears and motors chosen from catalogues."""
+"""Design: tubes, screws, gears and motors chosen from catalogues; optima with a certificate."""
 
 from typing import TYPE_CHECKING
 
@@ -6,6 +6,8 @@ from kinetruss.late import late
 
 if TYPE_CHECKING:
     from kinetruss.design.choices import catalogue as catalogue
+    from kinetruss.design.optimise import optimise as optimise
+    from kinetruss.design.optimum_result import ActiveLimit as ActiveLimit, Optimum as Optimum
     from kinetruss.design.sizing import size as size
     from kinetruss.design.sizing_result import (
         DriveRow as DriveRow,

@@ -131,9 +131,9 @@ def _forces(work: Integration, motion: Motion, trace: Trace) -> Forces:
         couple, eq = np.empty((len(trace.t), count, 3)), work.problem.eq
         couples_along(eq, trace.t, trace.x, trace.v, trace.a, np.ascontiguousarray(trace.N[:, eq.row]), couple)
         rubbed = with_bearing_friction(system, loads, trace.x.reshape(len(trace.t), -1, 3), couple)
-        solved = _solved(system, rubbed, states, trace.N) | {"bearing": couple}
+        solved = solved_by(system, rubbed, states, trace.N) | {"bearing": couple}
     else:
-        solved = solved_in_space(system, loads, states, lambda pushed, space: _solved(system, pushed, space, trace.N))
+        solved = solved_in_space(system, loads, states, lambda pushed, space: solved_by(system, pushed, space, trace.N))
     unsure, attrs = list(work.problem.not_unique), dict[str, Any]()
     if (shapes := work.problem.shapes) is not None:  # what rows do is the work of the beams of links
         solved["joint"][:, shapes.chords] = 0.0
@@ -154,7 +154,7 @@ def _forces(work: Integration, motion: Motion, trace: Trace) -> Forces:
     )
 
 
-def _solved(system: System, loads: Loads, states: States, N: NDArray[np.float64]) -> dict[str, Any]:
+def solved_by(system: System, loads: Loads, states: States, N: NDArray[np.float64]) -> dict[str, Any]:
     """Joint forces and the rest at nodes, as `forces_of` takes them, of solved states and row forces N (times, rows)."""
     count = len(states.x)
     joint, rest = allocate((count, len(system.members), 2, 3), (count, system.x0.size))

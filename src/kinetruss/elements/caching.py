@@ -14,14 +14,21 @@ Found = TypeVar("Found")
 Finder = Callable[Concatenate["System", Key], Found]
 
 
-def cached(most: int = 32) -> Callable[[Finder[Key, Found]], Finder[Key, Found]]:
+OF_RECORDS: set[Any] = set()
+"""Functions that read records and connections alone, and find the same whatever numbers the arrays of a System have."""
+
+
+def cached(most: int = 32, *, of_records: bool = False) -> Callable[[Finder[Key, Found]], Finder[Key, Found]]:
     """Keep what a function finds of a System, for the last `most` values of its other arguments, which can be hashed.
 
     A System never changes, and the same model has the same System: so plans, tables and checks of a model are made once.
-    What is found must not be written to.
+    What is found must not be written to. of_records : it is the same for all numbers that the arrays may have.
     """
 
     def decorated(find: Finder[Key, Found]) -> Finder[Key, Found]:
+        if of_records:
+            OF_RECORDS.add(find)
+
         def remembered(system: System, *key: Key.args, **named: Key.kwargs) -> Found:
             own: dict[tuple[Hashable, ...], Any] = system.memory.setdefault(find, {})
             place = (*key, *named.items()) if named else key

@@ -12,6 +12,11 @@ if TYPE_CHECKING:
         gradient as gradient,
         value_and_gradient as value_and_gradient,
     )
-    from kinetruss.gradients.responses import Read as Read, read_response as read_response
+    from kinetruss.gradients.responses import (
+        Entries as Entries,
+        Read as Read,
+        read_entries as read_entries,
+        read_response as read_response,
+    )
 
 __getattr__, __dir__, __all__ = late(__name__)

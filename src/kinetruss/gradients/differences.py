@@ -32,18 +32,25 @@ class Weighed(NamedTuple):
 
 
 def differences(
-    given: Weighed, near: Sequence[Near], step: Floats, count: int, points: Sequence[tuple[float, float]] = FOUR
+    given: Weighed,
+    near: Sequence[Near],
+    step: Floats,
+    count: int,
+    points: Sequence[tuple[float, float]] = FOUR,
+    *,
+    few_act: bool = False,
 ) -> Floats:
     """Derivatives (k, numbers) of weighed sums by numbers.
 
     given.of : takes changes (numbers,) of the numbers. near : nodes near each number, as of `near_nodes`. step (numbers,).
-    count : of nodes. Numbers whose effects are not where they are expected are taken one by one.
+    count : of nodes. few_act : first ask whether a change has an effect at all. Numbers whose effects are not where they are expected are taken one by one.
     """
     found = np.zeros((len(given.weight), len(step)))
     wanted = [k for k in range(len(step)) if step[k]]
     groups = [[wanted[j] for j in group] for group in colours([near[k] for k in wanted], count)]
+    here = given.of(np.zeros_like(step)) if few_act and wanted else None
     for group in groups:
-        change = _change(given, step, group, points)
+        change = _change(given, step, group, points, here)
         if len(group) == 1:
             found[:, group[0]] = given.weight @ change
             continue
@@ -62,8 +69,20 @@ def differences(
     return found / np.where(step, step, 1.0)
 
 
-def _change(given: Weighed, step: Floats, group: Sequence[int], points: Sequence[tuple[float, float]]) -> Any:
-    """The change (m,) of the functions for a step of all numbers of a group."""
+def _change(
+    given: Weighed,
+    step: Floats,
+    group: Sequence[int],
+    points: Sequence[tuple[float, float]],
+    here: Floats | None = None,
+) -> Any:
+    """The change (m,) of the functions for a step of all numbers of a group; none where the first step has none (here (m,))."""
     own = np.zeros_like(step)
     own[group] = step[group]
-    return sum(weight * given.of(share * own) for share, weight in points)
+    found: Any = 0.0
+    for share, weight in points:
+        one = given.of(share * own)
+        if here is not None and share == points[0][0] and np.array_equal(one, here, equal_nan=True):
+            return np.zeros_like(here)
+        found = found + weight * one
+    return found

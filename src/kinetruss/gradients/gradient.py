@@ -10,25 +10,32 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 import xarray as xr
 
-from kinetruss.dynamics import simulate
+from kinetruss.dynamics import inverse, simulate
 from kinetruss.errors import AnalysisError, InputError
+from kinetruss.gradients.along import followed, inverted, ran
 from kinetruss.gradients.differences import FOUR
 from kinetruss.gradients.linear_point import LinearPoint
-from kinetruss.gradients.points import Point, gradients_at
+from kinetruss.gradients.points import gradients_at
 from kinetruss.gradients.responses import Read, read_response
 from kinetruss.gradients.run_point import RunPoint
 from kinetruss.gradients.varied import Varied, Wrt, varied
-from kinetruss.mechanics import System, compile
+from kinetruss.kinematics import follow
+from kinetruss.mechanics import compile
 from kinetruss.model import Model
+from kinetruss.runs import run
 from kinetruss.statics import linear
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray
 
-POINTS: dict[Callable[..., Any], Callable[..., Point]] = {linear: LinearPoint}
+POINTS: dict[Callable[..., Any], Callable[..., Any]] = {
+    linear: LinearPoint,
+    follow: followed,
+    inverse: inverted,
+    run: ran,
+    simulate: RunPoint,
+}
 """What gives the gradients of the results of each analysis."""
-RUNS: dict[Callable[..., Any], type[RunPoint]] = {simulate: RunPoint}
-"""Likewise of analyses along a time."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -56,8 +63,8 @@ class Response:
     arguments: dict[str, Any] = field(default_factory=dict)
 
     def __init__(self, text: str, analysis: Callable[..., Any], model: Model, **arguments: Any) -> None:
-        if analysis not in POINTS and analysis not in RUNS:
-            known = ", ".join(f"{one.__module__.split('.')[1]}.{one.__name__}" for one in (*POINTS, *RUNS))
+        if analysis not in POINTS:
+            known = ", ".join(f"{one.__module__.split('.')[1]}.{one.__name__}" for one in POINTS)
             given = getattr(analysis, "__name__", analysis)
             raise InputError(f"Results of {given!r} have no responses yet. Take one of {known}.")
         for name, value in (("text", text), ("analysis", analysis), ("model", model), ("arguments", arguments)):
@@ -65,7 +72,8 @@ class Response:
 
     @cached_property
     def _read(self) -> Read:
-        return read_response(self.text, _solved(self, compile(self.model)).data())
+        point = POINTS[self.analysis](compile(self.model), **self.arguments)
+        return read_response(self.text, point.data(), getattr(point, "more", None))
 
     @property
     def value(self) -> float:
@@ -123,26 +131,22 @@ def value_and_gradient(of: Response | Sequence[Response], wrt: Wrt) -> tuple[Any
     return _found(several, by, isinstance(of, Response))
 
 
-def _solved(of: Response, system: System) -> Point | RunPoint:
-    """The analysis of a response at its solution, of a system of its model."""
-    if of.analysis in RUNS:
-        return RUNS[of.analysis](of.model, **of.arguments)
-    return POINTS[of.analysis](system, **of.arguments)
-
-
 def _found(several: Sequence[Response], by: Varied, single: bool) -> tuple[Any, xr.DataArray]:
     first = several[0]
-    point = _solved(first, by.system)
-    data = point.data()
-    read = [read_response(one.text, data) for one in several]
+    # along a run the marks that tell the numbers of a system from each other would grow
+    system = compile(first.model) if first.analysis is simulate else by.system
+    point = POINTS[first.analysis](system, **first.arguments)
+    data, more = point.data(), getattr(point, "more", None)
+    read = [read_response(one.text, data, more) for one in several]
     for one, own in zip(several, read, strict=True):
         if own.ties:
             raise AnalysisError(
                 f"{one.text} has no gradient here: {'; '.join(own.ties)} equally large. "
                 "Take pnorm(..., 8) or ks(..., r), which are smooth, or name one of them in brackets."
             )
-    texts, seeds = [one.text for one in several], [own.seeds for own in read]
-    found = point.gradients(by, seeds, texts) if isinstance(point, RunPoint) else gradients_at(point, by, seeds)
+    seeds = [own.seeds for own in read]
+    found = point.gradients(by, seeds) if hasattr(point, "gradients") else gradients_at(point, by, seeds)
+    texts = [one.text for one in several]
     values = np.array([own.value for own in read])
     coords = {"number": list(by.names), "response": texts}
     array = xr.DataArray(found, dims=("response", "number"), coords=coords)

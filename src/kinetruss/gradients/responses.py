@@ -8,6 +8,7 @@ from __future__ import annotations
 
 import ast
 import math
+from collections import ChainMap
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass, field
 from fractions import Fraction
@@ -36,6 +37,7 @@ DEEPEST = 60
 TIE = 1e-9
 """Values that differ by less than this fraction are equally large."""
 TIME = "time"
+OF_MOTORS = {name: (1.0, in_unit(name)) for name in ("V", "A", "kg", "J")}
 
 FUNCTIONS: dict[str, str] = {
     "abs": "abs(x): magnitude",
@@ -83,6 +85,39 @@ class _Data:
     ties: list[str] = field(default_factory=list)
 
 
+@dataclass(frozen=True, eq=False)
+class Entries:
+    """All values of a response that may have several: values (of its axes), labels along them, unit; and by `seeds` the
+    derivatives of one of them by the variables that it reads.
+    """
+
+    values: NDArray[np.float64]
+    dims: tuple[str, ...]
+    labels: tuple[tuple[str, ...], ...]
+    unit: str
+    _value: _Value = field(repr=False)
+    _at: _Data = field(repr=False)
+
+    def name(self, k: int) -> str:
+        """What entry k, of the values in a row, is of: ``M7 at 1.2 s``; empty for a single number."""
+        if not self.dims:
+            return ""
+        return _name_of(np.array(np.unravel_index(k, self.values.shape)), self.dims, self._at)
+
+    def part(self, k: int) -> str:
+        """The same without the instant."""
+        place = np.unravel_index(k, self.values.shape)
+        return " ".join(self.labels[i][j] for i, j in enumerate(place) if self.dims[i] != TIME)
+
+    def seeds(self, k: int) -> dict[str, NDArray[np.float64]]:
+        """Of entry k, by variable."""
+        one = np.zeros(self.values.shape)
+        one.reshape(-1)[k] = 1.0
+        self._at.seeds.clear()
+        self._value.push(one)
+        return dict(self._at.seeds)
+
+
 def read_response(text: str, data: xr.Dataset, more: Mapping[str, Any] | None = None) -> Read:
     """The value of a response of a result, and its derivatives by what it reads.
 
@@ -102,19 +137,7 @@ def read_response(text: str, data: xr.Dataset, more: Mapping[str, Any] | None = 
     >>> round(found.value, 9), found.unit, found.seeds["member_force"].round(6).tolist()
     (7.0, '', [0.001])
     """
-    if len(text) > LONGEST:
-        raise InputError(f"The response has {len(text)} characters, more than {LONGEST}. Make it shorter.")
-    try:
-        tree = ast.parse(text.strip(), mode="eval").body
-    except (SyntaxError, ValueError, RecursionError, MemoryError):
-        raise InputError(f"{shown(text)} is no response. Write for example max(abs(member_force)).") from None
-    labels = {str(name): [*one.values.tolist()] for name, one in data.coords.items() if one.dims == (name,)}
-    own = {str(name): one for name, one in data.data_vars.items()}
-    at = _Data(own | dict(more or {}), labels)
-    try:
-        found = _value(tree, text.strip(), at, 0)
-    except ExpressionError as error:
-        raise InputError(f"The response {shown(text)} {error.message} {error.mend}") from None
+    found, at = _parsed(text, data, more)
     if found.array.ndim:
         free = ", ".join(found.dims)
         raise InputError(
@@ -123,6 +146,44 @@ def read_response(text: str, data: xr.Dataset, more: Mapping[str, Any] | None = 
         )
     found.push(np.ones(()))
     return Read(float(found.array), found.kind.unit, at.seeds, tuple(at.ties))
+
+
+def read_entries(text: str, data: xr.Dataset, more: Mapping[str, Any] | None = None) -> Entries:
+    """All values of a response, one or several, as `read_response` reads it.
+
+    Raises
+    ------
+    InputError : it is no response, or names what the result does not have.
+
+    >>> import kinetruss as kt
+    >>> rod = kt.Model(nodes={"A": (0, 0), "B": (2, 0)}, fixed={"A": "xy", "B": "y"}, bars={"b": ("A", "B")},
+    ...                section=kt.Rod(diameter="10 mm"), material="steel_s235",
+    ...                loads={"pull": kt.NodalForce(node="B", force=(7e3, 0))})
+    >>> found = read_entries("member_force/kN", kt.statics.linear(rod).data)
+    >>> found.values.round(9).tolist(), found.name(0), found.seeds(0)["member_force"].tolist()
+    ([7.0], 'b', [0.001])
+    """
+    found, at = _parsed(text, data, more)
+    labels = tuple(tuple(map(str, at.labels.get(dim, range(n)))) for dim, n in zip(found.dims, found.array.shape, strict=True))
+    return Entries(found.array, found.dims, labels, found.kind.unit, found, at)
+
+
+def _parsed(text: str, data: xr.Dataset, more: Mapping[str, Any] | None) -> tuple[_Value, _Data]:
+    """The value of a whole response."""
+    if len(text) > LONGEST:
+        raise InputError(f"The response has {len(text)} characters, more than {LONGEST}. Make it shorter.")
+    try:
+        tree = ast.parse(text.strip(), mode="eval").body
+    except (SyntaxError, ValueError, RecursionError, MemoryError):
+        raise InputError(f"{shown(text)} is no response. Write for example max(abs(member_force)).") from None
+    labels = {str(name): [*one.values.tolist()] for name, one in data.coords.items() if one.dims == (name,)}
+    own = {str(name): one for name, one in data.data_vars.items()}
+    at = _Data(ChainMap(own, more or {}), labels)
+    try:
+        found = _value(tree, text.strip(), at, 0)
+    except ExpressionError as error:
+        raise InputError(f"The response {shown(text)} {error.message} {error.mend}") from None
+    return found, at
 
 
 def _value(node: Any, text: str, at: _Data, depth: int) -> _Value:
@@ -175,7 +236,7 @@ def _named(name: str, at: _Data) -> _Value:
             at.seeds[name] = at.seeds.get(name, np.zeros_like(values)) + g
 
         return _Value(values, tuple(one.dims), in_unit(one.attrs.get("units", "")), push)
-    if name in (units := {**CONSTANTS, **FORCE_UNITS}):
+    if name in (units := {**CONSTANTS, **FORCE_UNITS, **OF_MOTORS}):
         return _constant(*units[name])
     raise ExpressionError(f"has {name!r}, which the result does not have.", nearest(name, at.of))
 
@@ -343,6 +404,7 @@ def _instant(a: _Value, t: float | None, name: str, own: str, at: _Data) -> _Val
     if TIME not in a.dims:
         raise ExpressionError(f"{own!r} has no instants.", "Leave the instant out.")
     k, times = a.dims.index(TIME), np.asarray(at.labels[TIME], float)
+    slope = np.zeros_like(times)
     if t is None:
         j, share = (0, 0.0) if name == "first" else (len(times) - 1, 0.0)
     elif not times[0] <= t <= times[-1]:
@@ -350,6 +412,8 @@ def _instant(a: _Value, t: float | None, name: str, own: str, at: _Data) -> _Val
     else:
         j = min(int(np.searchsorted(times, t, side="right")) - 1, max(len(times) - 2, 0))
         share = (t - times[j]) / (times[j + 1] - times[j]) if len(times) > 1 else 0.0
+        if len(times) > 1:  # of the share, where samples move
+            slope[[j, j + 1]] = np.array([share - 1.0, -share]) / (times[j + 1] - times[j])
     parts = [(j, 1.0 - share), *([(j + 1, share)] if share else [])]
     found = sum(weight * np.take(a.array, row, axis=k) for row, weight in parts)
 
@@ -358,6 +422,9 @@ def _instant(a: _Value, t: float | None, name: str, own: str, at: _Data) -> _Val
         for row, weight in parts:
             np.moveaxis(back, k, 0)[row] = weight * g
         a.push(back)
+        if slope.any() and TIME in at.of:
+            after, before = (np.take(a.array, min(j + i, len(times) - 1), axis=k) for i in (1, 0))
+            at.seeds[TIME] = at.seeds.get(TIME, np.zeros_like(times)) + slope * float(np.sum(g * (after - before)))
 
     return _Value(np.asarray(found), a.dims[:k] + a.dims[k + 1 :], a.kind, push)
 

@@ -6,7 +6,6 @@ follow from its state by the equations of motion; at the start, places and veloc
 
 from __future__ import annotations
 
-import re
 from collections.abc import Iterator, Mapping, Sequence
 from copy import copy
 from dataclasses import dataclass, field, replace
@@ -96,7 +95,7 @@ class RunPoint:
 
     def __init__(
         self,
-        model: Model,
+        system: System,
         t_end: float | str | None = None,
         *,
         samples: int = 201,
@@ -105,6 +104,7 @@ class RunPoint:
         raise_on_failure: bool = True,  # noqa: ARG002 - a run that failed has no gradient
         **options: Any,
     ) -> None:
+        model = system.given
         t = wanted_times(t_end, samples, times, model)
         self.model, self.options = model, Options(**options)
         self.t_end = float(t[-1]) if t_end is None else seconds(t_end)
@@ -282,15 +282,8 @@ class RunPoint:
         return np.array(found).reshape(len(found), len(states.t)).T
 
     @one_thread
-    def gradients(self, by: Varied, seeds: Sequence[Mapping[str, Floats]], texts: Sequence[str]) -> Floats:
+    def gradients(self, by: Varied, seeds: Sequence[Mapping[str, Floats]]) -> Floats:
         """Derivatives (k, numbers) of k responses with seeds ds/dd by the variables that they read."""
-        stopped = self.result.status.name == "EVENT"
-        over = [text for text in texts if stopped and re.search(r"\b(rms|mean|at)\s*\(", text)]
-        if over:
-            raise AnalysisError(
-                f"{over[0]} is a mean over a time that ends with an event, whose derivative by that time is not known. "
-                "Give the run an end in time, or read final(...) or max(...)."
-            )
         read = self._reading(by, seeds)
         self._others.clear()
         self._forced = read.states.t[np.abs(read.z).max(axis=(1, 2), initial=0.0) > 0].tolist()
@@ -321,6 +314,11 @@ class RunPoint:
             for name, own in one.items():
                 if name != "event_time":
                     wanted |= np.abs(own).reshape(len(own), -1).max(axis=1, initial=0.0) > 0
+        if self.result.status.name == "EVENT" and wanted[-2:].all() and len(wanted) > 1:
+            raise AnalysisError(
+                "A mean over time, or a value between samples, of a run that an event ends has no gradient by the time of that "
+                "end. Give the run an end in time, or read final(...), max(...) or an earlier instant."
+            )
         events = self.work.happened()["events"]
         of_time = np.array([one.get("event_time", np.zeros(len(events))) for one in seeds])
         met = np.flatnonzero(np.abs(of_time).max(axis=0, initial=0.0) > 0).tolist()

@@ -8,7 +8,7 @@ amount. Numbers that a model computes from it (places of inner nodes, of hubs, o
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import cached_property
 from typing import TYPE_CHECKING, Any
 
@@ -190,7 +190,7 @@ def _placed(
             on = slope != 0.0
             new = computed[name][on], np.full(int(on.sum()), k), slope[on]
             places[name] = tuple(np.concatenate(pair) for pair in zip(places[name], new, strict=True))  # type: ignore[assignment]
-    return system_at(system, base), base, places
+    return replace(system_at(system, base), given=model), base, places
 
 
 def _by_differences(

@@ -17,6 +17,7 @@ if TYPE_CHECKING:
     from kinetruss.io.json_schema import schema as schema, schema_file as schema_file
     from kinetruss.io.library_models import read_cell as read_cell
     from kinetruss.io.missions import read_catalogue as read_catalogue, read_mission as read_mission
+    from kinetruss.io.optima import read_optimum as read_optimum
     from kinetruss.io.reading import placed as placed, read as read
     from kinetruss.io.values import set_value as set_value, set_values as set_values
     from kinetruss.io.writing import write as write

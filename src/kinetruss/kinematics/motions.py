@@ -80,6 +80,13 @@ class Course:
 
 def motion_of(system: System, found: Course, space: str, status: Status, message: str) -> Motion:
     """Motion from histories of nodes and drives."""
+    arrays = motion_arrays(system, found, space)
+    message = f"{message} {rods_that_stick_out(system, found.t, arrays.columns['length'].values)}".strip()
+    return Motion(data=arrays.later, status=status, message=message, provenance=provenance(system.given, space=space))
+
+
+def motion_arrays(system: System, found: Course, space: str) -> Arrays:
+    """The arrays of a motion."""
     t, x, v, a, drive = found.t, found.x, found.v, found.a, found.drive
     count = len(t)
     gauge = np.full(count, np.nan) if found.gauge is None else found.gauge
@@ -106,9 +113,7 @@ def motion_of(system: System, found: Course, space: str, status: Status, message
     data |= rotation_columns(system, ("time",), lambda: rotations(system, x.reshape(count, len(system.nodes), 3)))
     if found.passed is not None:
         data |= found.passed.variables(system)
-    kept = Arrays(_axes(system), t, data, {"kind": "motion", "trajectory_space": space, **found.attrs})
-    message = f"{message} {rods_that_stick_out(system, t, L)}".strip()
-    return Motion(data=kept.later, status=status, message=message, provenance=provenance(system.given, space=space))
+    return Arrays(_axes(system), t, data, {"kind": "motion", "trajectory_space": space, **found.attrs})
 
 
 def rods_that_stick_out(system: System, t: NDArray[np.float64], length: NDArray[np.float64]) -> str:

@@ -91,11 +91,15 @@ def sample(model: Model, trajectory: Any, times: ArrayLike) -> Sampled:
     """
     check_trajectory(compile(model), trajectory)
     t = np.atleast_1d(array_of(times, "times", {}, {"times": None}, unit="s"))
+    return sample_from(model, trajectory, t, _starts(compile(model)))
+
+
+def sample_from(model: Model, trajectory: Any, t: Floats, start: Mapping[str, float]) -> Sampled:
+    """`sample` at times (n_times,), s, with given initial values of all drives, in their order."""
     drives = tuple(model.all_drives)
-    start = _starts(compile(model))
     names = moved_by(trajectory)[1]
     poses = [name for name in model.poses if any(f"{name}.{key}" in names and f"{name}.{key}" not in start for key in POSE)]
-    standing = start | _standing_poses(model, poses, start, names)
+    standing = {**start} | _standing_poses(model, poses, start, names)
     moved = sample_profile(trajectory, t, standing)
     derivatives = np.zeros((t.size, len(drives), 3))
     derivatives[:, :, 0] = np.fromiter(start.values(), float, len(start))

@@ -135,13 +135,14 @@ class Arrangement:
 
     plan : blocks of independent rows, or None where some coordinate is not determined (fewer rows than freedoms).
     redundant : redundant rows (indices). not_unique : mask of rows that take part in a state of self-stress.
-    weight : (rows,) weights of the least-norm forces of redundant rows: l/(E A) over its mean, or 1.
+    weight : (rows,) weights of the least-norm forces of redundant rows: l/(E A) over its mean, or 1; stiff : mask of the former.
     """
 
     plan: Plan | None
     redundant: NDArray[np.int64]
     not_unique: NDArray[np.bool_]
     weight: NDArray[np.float64]
+    stiff: NDArray[np.bool_]
 
 
 def not_unique_note(names: Sequence[str]) -> str:
@@ -170,7 +171,7 @@ def arrange(system: System) -> Arrangement:
     plan = plan_of(system, rows)
     if plan is not None:
         none = np.zeros(len(rows), np.bool_)
-        return Arrangement(plan=plan, redundant=np.zeros(0, np.int64), not_unique=none, weight=np.ones(len(rows)))
+        return Arrangement(plan=plan, redundant=np.zeros(0, np.int64), not_unique=none, weight=np.ones(len(rows)), stiff=none)
     return rearrange(system, system.x0, None)
 
 
@@ -185,9 +186,8 @@ def rearrange(system: System, x: NDArray[np.float64], values: NDArray[np.float64
         redundant = np.setdiff1d(np.arange(len(J)), independent)
         states = _self_stress(J, independent, redundant)
     plan = plan_of(system, independent) if len(independent) == len(system.free) else None
-    return Arrangement(
-        plan=plan, redundant=redundant, not_unique=np.any(np.abs(states) > 1e-9, axis=0), weight=_weights(system, states)
-    )
+    not_unique, (weight, stiff) = np.any(np.abs(states) > 1e-9, axis=0), _weights(system, states)
+    return Arrangement(plan=plan, redundant=redundant, not_unique=not_unique, weight=weight, stiff=stiff)
 
 
 def eliminated(system: System, x: NDArray[np.float64], values: NDArray[np.float64] | None = None) -> Elimination | None:
@@ -240,11 +240,11 @@ def _self_stress(J: NDArray[np.float64], independent: NDArray[np.int64], redunda
     return states
 
 
-def _weights(system: System, states: NDArray[np.float64]) -> NDArray[np.float64]:
-    """l/(E A) if every bar in a state of self-stress has E and A, else 1 (least norm of N)."""
-    weight = np.ones(len(system.row_member))
+def _weights(system: System, states: NDArray[np.float64]) -> tuple[NDArray[np.float64], NDArray[np.bool_]]:
+    """l/(E A) if every bar in a state of self-stress has E and A, else 1 (least norm of N); and the mask of the former."""
+    weight, stiff = np.ones(len(system.row_member)), np.zeros(len(system.row_member), np.bool_)
     if not len(states):
-        return weight
+        return weight, stiff
     touched = np.abs(states) > 1e-9
     # states of self-stress that share bars belong together
     shared = csr_array(touched.astype(float))
@@ -255,8 +255,8 @@ def _weights(system: System, states: NDArray[np.float64]) -> NDArray[np.float64]
     for g in np.unique(group):
         bars = touched[group == g].any(axis=0)
         if np.isfinite(soft[bars]).all():
-            weight[bars] = soft[bars] / soft[bars].mean()
-    return weight
+            weight[bars], stiff[bars] = soft[bars] / soft[bars].mean(), True
+    return weight, stiff
 
 
 def plan_of(system: System, rows: NDArray[np.int64]) -> Plan | None:

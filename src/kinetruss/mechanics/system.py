@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from copy import copy
 from dataclasses import dataclass, replace
 from functools import cached_property, lru_cache
 from pathlib import Path
@@ -10,6 +11,7 @@ from typing import TYPE_CHECKING, Any, cast
 import numpy as np
 
 from kinetruss.elements.beams import BeamElements
+from kinetruss.elements.caching import OF_RECORDS
 from kinetruss.elements.continua_arrays import Continua
 from kinetruss.elements.numbers import sums_at
 from kinetruss.errors import InputError, shown
@@ -216,7 +218,8 @@ def compile(model: Model) -> System:
     """
     if not isinstance(model, Model):
         raise InputError(f"A model is expected first, not {_called(model)}. {_GIVE_A_MODEL}")
-    return _compiled(ByIdentity(model))
+    key = ByIdentity(model)
+    return _instead[key] if key in _instead else _compiled(key)
 
 
 _GIVE_A_MODEL = 'Give a kt.Model, or kt.read("model.yaml").'
@@ -237,6 +240,23 @@ class ByIdentity:
 
     def __eq__(self, other: object) -> bool:
         return isinstance(other, ByIdentity) and self.model is other.model
+
+
+_instead: dict[ByIdentity, System] = {}
+"""Systems of models of which only the arrays have other numbers."""
+
+
+def standing_for(system: System) -> Model:
+    """A copy of the model of a system with other numbers (`numbers.system_at`), which compiles to that system.
+
+    Its records have the numbers of before: only for what reads the arrays alone. The last few are kept.
+    """
+    model, own = copy(system.given), compile(system.given).memory
+    found = _instead[ByIdentity(model)] = replace(system, given=model)
+    found.memory.update({find: own[find] for find in OF_RECORDS if find in own})
+    for oldest in list(_instead)[:-8]:
+        _instead.pop(oldest, None)
+    return model
 
 
 @lru_cache(maxsize=32)

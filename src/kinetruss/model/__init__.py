@@ -93,6 +93,11 @@ if TYPE_CHECKING:
         Settle as Settle,
         mission_faults as mission_faults,
     )
+    from kinetruss.model.optimum import (
+        OptimumLimit as OptimumLimit,
+        OptimumTask as OptimumTask,
+        OptimumVariable as OptimumVariable,
+    )
     from kinetruss.model.plausible import plausibility as plausibility, turned_far as turned_far
     from kinetruss.model.quantities import Quantity as Quantity
     from kinetruss.model.record import (

@@ -102,7 +102,7 @@ def parts_of(model: Model) -> Parts:
     return _parts(compile(model))
 
 
-@cached()
+@cached(of_records=True)
 def _parts(system: System) -> Parts:
     model = system.model
     rows: list[tuple[str, str, int, float, tuple[float, ...]]] = []

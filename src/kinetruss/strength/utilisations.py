@@ -270,7 +270,7 @@ def _beam_rows(model: Model, bent: dict[str, tuple[NDArray[np.float64], ...]]) -
     return tuple(found)
 
 
-@cached()
+@cached(of_records=True)
 def axes_of_verdict(system: System) -> Axes:
     """What is judged, and the rules."""
     names, members, _, _ = subjects(parts_of(system.given))
@@ -286,7 +286,7 @@ def axes_of_verdict(system: System) -> Axes:
     )
 
 
-@cached()
+@cached(of_records=True)
 def _end_conditions(system: System) -> NDArray[np.float64]:
     """Of each real member, the constant of its end conditions."""
     return np.array([end_condition(member.buckling) for member in system.model.real_members.values()])

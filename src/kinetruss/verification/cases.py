@@ -209,6 +209,7 @@ GROUPS = (
     "members",
     "tasks",
     "textbooks",
+    "optima",
 )
 _LOADER: Any = getattr(yaml, "CSafeLoader", yaml.SafeLoader)
 

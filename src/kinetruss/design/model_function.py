@@ -1,0 +1,323 @@
+"""A model as a function of its variables: the response that is made small, the limits, and their exact gradients."""
+
+from __future__ import annotations
+
+from collections import ChainMap
+from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import dataclass
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from kinetruss.design.limit_rows import Block, LimitRows
+from kinetruss.design.optimum.problem import Problem, Variable
+from kinetruss.design.own_limits import NAMES, beside, slopes
+from kinetruss.design.vibration_point import VibrationPoint
+from kinetruss.errors import Fault, InputError, ModelError, few
+from kinetruss.flexible import frequencies
+from kinetruss.gradients import Entries, read_entries
+from kinetruss.gradients.gradient import POINTS
+from kinetruss.gradients.points import gradients_at
+from kinetruss.gradients.varied import varied
+from kinetruss.io import set_values
+from kinetruss.io.values import resolved
+from kinetruss.mechanics import compile
+from kinetruss.model import Model, OptimumLimit, OptimumTask, OptimumVariable, matched, nearest
+from kinetruss.model.optimum import unit_given
+from kinetruss.units import dimension_of
+
+if TYPE_CHECKING:
+    from numpy.typing import NDArray
+
+OBJECTIVE = "least"
+ANALYSES = {**POINTS, frequencies: VibrationPoint}
+"""Analyses whose results have gradients."""
+STEP = 1e-3
+"""Of differences of what a member bears, as a share of a variable or its range."""
+AT_ONCE = 20_000_000
+"""Numbers of the seeds of responses that are differentiated together."""
+AMPERE = 3
+"""Its place in a dimension."""
+STILL = 1e-12
+"""A change of a value below this, of itself, is none."""
+
+
+@dataclass(frozen=True, slots=True)
+class _Asked:
+    """One analysis: its arguments, and the responses that are read of it, each with its first row of limits (-1: objective)."""
+
+    analysis: str
+    arguments: dict[str, Any]
+    texts: list[tuple[str, str]]
+    """Name of the limit, response."""
+
+
+class ModelFunction:
+    """The `Function` of a task: rows of limits in the order of the task, its load cases, entries, sides.
+
+    paths : of each variable. problem : with variables and limits for the solvers.
+    """
+
+    def __init__(self, model: Model, task: OptimumTask) -> None:
+        self.model, self.task = model, task
+        self.paths, variables = _variables(model, task)
+        self.asked = _asked(model, task)
+        self._last: tuple[bytes, list[list[Entries]]] | None = None
+        start = np.array([one.start for one in variables])
+        self.limits = self._rows(self._entries(start))
+        self.problem = Problem(
+            variables=variables, limits=self.limits, function=self, objective=task.least, unit=self.unit,
+            families=self.limits.families,
+        )  # fmt: skip
+
+    def model_at(self, p: NDArray[np.float64]) -> Model:
+        """The model with these values of the variables."""
+        return set_values(self.model, {path: float(one) for own, one in zip(self.paths, p, strict=True) for path in own})
+
+    def values(self, p: NDArray[np.float64], rows: NDArray[np.int64] | None) -> tuple[float, NDArray[np.float64]]:
+        """Objective, and excess of limits."""
+        found = self._entries(p)
+        return self._objective(found), self.limits.excess(found)[slice(None) if rows is None else rows]
+
+    def gradients(self, p: NDArray[np.float64], rows: NDArray[np.int64]) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
+        """Derivatives of both by the variables, in SI."""
+        by = varied(self.model_at(p), self.paths)
+        slope = np.zeros((len(rows), len(p)))
+        of_objective = np.zeros(len(p))
+        for j, asked in enumerate(self.asked):
+            point = _analysed(asked, by.system)
+            data = point.data()
+            read = [read_entries(text, data, _more(point, by.model, data)) for _, text in asked.texts]
+            # both sides of a limit have the gradient of one entry
+            wanted: dict[tuple[int, int], list[int]] = {}
+            wanted |= {(i, 0): [] for i, (name, _) in enumerate(asked.texts) if name == OBJECTIVE}
+            for place, row in enumerate(rows.tolist()):
+                block, k = self.limits.place(row)
+                if block.analysis == j:
+                    wanted.setdefault((block.text, int(block.kept[k])), []).append(place)
+            if not wanted:
+                continue
+            most = max(1, AT_ONCE // max(read[text].values.size for text, _ in wanted))
+            every = list(wanted.items())
+            for some in (every[k : k + most] for k in range(0, len(every), most)):
+                seeds = [read[text].seeds(entry) for (text, entry), _ in some]
+                for ((text, _), places), found in zip(some, self._slopes(p, point, by, data, seeds), strict=True):
+                    if asked.texts[text][0] == OBJECTIVE:
+                        of_objective = found
+                    for place in places:
+                        slope[place] = found * self.limits.sign_over_size[rows[place]]
+        return of_objective, slope
+
+    def _slopes(self, p: NDArray[np.float64], point: Any, by: Any, data: Any, seeds: Sequence[Mapping[str, Any]]) -> Any:
+        """Derivatives (responses, n): of results by the analysis, of what members bear by its formulas."""
+        own = [{name: one for name, one in seed.items() if name not in NAMES} for seed in seeds]
+        found = np.zeros((len(seeds), len(p)))
+        if some := [k for k, seed in enumerate(own) if seed]:
+            chosen = [own[k] for k in some]
+            found[some] = point.gradients(by, chosen) if hasattr(point, "gradients") else gradients_at(point, by, chosen)
+        if any(name in seed for seed in seeds for name in NAMES):
+            variables = self.problem.variables
+            step = STEP * np.array([abs(at) or one.upper - one.lower for at, one in zip(p, variables, strict=True)])
+            members = [str(name) for name in data["member"].values]
+            for name, slope in slopes(self.model_at, p, members, step).items():
+                for k, seed in enumerate(seeds):
+                    if name in seed:
+                        found[k] += np.nan_to_num(seed[name]) @ np.nan_to_num(slope)
+        return found
+
+    def entries(self, p: NDArray[np.float64]) -> Iterator[tuple[_Asked, str, Entries]]:
+        """All responses at a point: their analysis, the name of their limit, their values."""
+        for asked, read in zip(self.asked, self._entries(p), strict=True):
+            for (name, _), one in zip(asked.texts, read, strict=True):
+                yield asked, name, one
+
+    def idle(self, p: NDArray[np.float64]) -> list[str]:
+        """The variables that change neither objective nor any limit."""
+        here = self._entries(p)
+        before, left = np.append(self.limits.excess(here), self._objective(here)), []
+        for k, one in enumerate(self.problem.variables):
+            moved = p.copy()
+            moved[k] += 0.01 * (one.upper - one.lower) * (1 if p[k] < 0.5 * (one.lower + one.upper) else -1)
+            there = self._entries(moved)
+            after = np.append(self.limits.excess(there), self._objective(there))
+            if np.all(np.abs(after - before) <= STILL * np.maximum(np.abs(before), 1e-3 * np.abs(before).max())):
+                left.append(one.name)
+        return left
+
+    def _entries(self, p: NDArray[np.float64]) -> list[list[Entries]]:
+        key = p.tobytes()
+        if self._last is None or self._last[0] != key:
+            model = self.model_at(p)
+            system, found = compile(model), []
+            for asked in self.asked:
+                point = _analysed(asked, system)
+                data = point.data()
+                more = _more(point, model, data)
+                found.append([_read(name, text, data, more) for name, text in asked.texts])
+            self._last = (key, found)
+        return self._last[1]
+
+    def _objective(self, found: list[list[Entries]]) -> float:
+        for asked, read in zip(self.asked, found, strict=True):
+            for (name, _), one in zip(asked.texts, read, strict=True):
+                if name == OBJECTIVE:
+                    return float(one.values)
+        raise AssertionError
+
+    def _rows(self, found: list[list[Entries]]) -> LimitRows:
+        blocks, faults = [], []
+        for j, (asked, read) in enumerate(zip(self.asked, found, strict=True)):
+            case = asked.arguments.get("load_case")
+            for i, ((name, text), one) in enumerate(zip(asked.texts, read, strict=True)):
+                if name == OBJECTIVE:
+                    self.unit = one.unit
+                    if one.dims:
+                        said = f"{text!r} has a value for each {', '.join(one.dims)}."
+                        mend = "Take one of them by name, or max(...), sum(...), pnorm(..., 8)."
+                        raise ModelError([Fault((OBJECTIVE,), said, mend)])
+                    continue
+                own, kept = self.task.limits[name], np.flatnonzero(~np.isnan(one.values.reshape(-1)))
+                if not len(kept):
+                    faults.append(Fault(("limits", name, "of"), f"{text!r} has no value that is known.", "See what it needs."))
+                for side, limit, sign in (("at_most", own.at_most, 1), ("at_least", own.at_least, -1)):
+                    if limit is None or not len(kept):
+                        continue
+                    faults += _unit_faults(name, side, limit, one.unit, text)
+                    size = abs(float(limit)) or float(np.nanmax(np.abs(one.values))) or 1.0
+                    which = {"name": name, "case": case, "analysis": j, "text": i, "of": one, "kept": kept}
+                    blocks.append(Block(**which, limit=float(limit), size=size, sign=sign, unit=unit_given(limit) or one.unit))
+        if faults:
+            raise ModelError(faults)
+        return LimitRows(blocks)
+
+
+def _more(point: Any, model: Model, data: Any) -> Mapping[str, Any]:
+    """The variables beside those of the data of an analysis: its own, and what members bear."""
+    own: Any = getattr(point, "more", {})
+    return ChainMap(own, beside(model, data))
+
+
+def _read(name: str, text: str, data: Any, more: Mapping[str, Any]) -> Entries:
+    try:
+        return read_entries(text, data, more)
+    except InputError as error:
+        path = (OBJECTIVE,) if name == OBJECTIVE else ("limits", name, "of")
+        raise ModelError([Fault(path, str(error), "")]) from None
+
+
+def _unit_faults(name: str, side: str, limit: float, unit: str, text: str) -> Iterator[Fault]:
+    given = unit_given(limit)
+    if given is not None and _dimension(given) != _dimension(unit):
+        yield Fault(
+            ("limits", name, side), f"is in {given or '1'}, but {text} in {unit or '1'}.", f"Give it in {unit or 'no unit'}."
+        )
+
+
+def _dimension(unit: str) -> tuple[int, ...]:
+    """Exponents of kg, m, s and rad in a unit, also of one as ``1/s``; responses do not tell amperes."""
+    sign, found = (-1, dimension_of(unit[2:])) if unit.startswith("1/") else (1, dimension_of(unit))
+    return tuple(sign * one for i, one in enumerate(found) if i != AMPERE)
+
+
+def _analysed(asked: _Asked, system: Any) -> Any:
+    """The analysis of a system at its solution."""
+    try:
+        return ANALYSES[_analyses()[asked.analysis]](system, **asked.arguments)
+    except TypeError as error:
+        raise ModelError(
+            [Fault(("arguments",), f"{asked.analysis} does not take them: {error}.", "See its arguments.")]
+        ) from None
+
+
+def _analyses() -> dict[str, Any]:
+    """The analyses whose results have gradients, by name."""
+    return {f"{one.__module__.split('.')[1]}.{one.__name__}": one for one in ANALYSES}
+
+
+def _asked(model: Model, task: OptimumTask) -> list[_Asked]:
+    """The analyses of a task, each once."""
+    found: dict[str, _Asked] = {}
+    faults: list[Fault] = []
+
+    def ask(place: tuple[str, ...], name: str, one: OptimumLimit | None, case: str | None) -> None:
+        analysis = (one.analysis if one is not None else None) or task.analysis
+        arguments = {**task.arguments, **(one.arguments if one is not None else {})}
+        if analysis not in _analyses():
+            faults.append(
+                Fault((*place, "analysis"), f"results of {analysis!r} have no gradients.", nearest(analysis, _analyses()))
+            )
+            return
+        if case is not None:
+            arguments["load_case"] = case
+        text = task.least if one is None else one.of
+        found.setdefault(f"{analysis} {sorted(arguments.items())}", _Asked(analysis, arguments, [])).texts.append((name, text))
+
+    known = [*model.load_cases, *model.combinations]
+    for name, one in task.limits.items():
+        cases: Sequence[str | None] = one.load_cases or task.load_cases or (None,)
+        for case in cases:
+            if case is not None and case not in known:
+                place = ("limits", name, "load_cases") if one.load_cases else ("load_cases",)
+                faults.append(Fault(place, f"the model has no load case called {case!r}.", nearest(case, known)))
+            else:
+                ask(("limits", name), name, one, case)
+    ask((), OBJECTIVE, None, (task.load_cases or (None,))[0] if not faults else None)
+    if faults:
+        raise ModelError(list(dict.fromkeys(faults)))
+    return list(found.values())
+
+
+def _variables(model: Model, task: OptimumTask) -> tuple[list[list[str]], list[Variable]]:
+    """Paths and bounds of the variables; all faults at once."""
+    paths, found, faults = [], [], []
+    owner: dict[tuple[str | int, ...], str] = {}
+    for name, one in task.variables.items():
+        try:
+            own = [path for pattern in one.of for path in _fitting(model, pattern)]
+            for path in own:
+                keys = resolved(model, path)
+                if owner.setdefault(keys, name) != name:
+                    raise InputError(f"changes {path}, which {owner[keys]!r} changes too. Leave it out of one of them.")
+            paths.append(own)
+            found.append(_variable(model, name, one, own))
+        except ModelError as error:
+            faults += [
+                Fault(("variables", name, "of"), f"{fault.where}: {fault.message}", fault.mend) for fault in error.faults
+            ]
+        except InputError as error:
+            faults.append(Fault(("variables", name, "of"), str(error), ""))
+    if faults:
+        raise ModelError(faults)
+    return paths, found
+
+
+def _variable(model: Model, name: str, one: OptimumVariable, own: list[str]) -> Variable:
+    """The bounds in SI; the model must take both."""
+    low, high = one.between if one.between is not None else (min(one.choose or ()), max(one.choose or ()))
+    for bound in (low, high):
+        set_values(model, dict.fromkeys(own, float(bound)))
+    values = [_number(model, path) for path in own]
+    start = float(one.start) if one.start is not None else float(np.mean(values))
+    return Variable(name=name, lower=float(low), upper=float(high), start=float(np.clip(start, low, high)), scale=one.scale,
+                    unit=unit_given(low) or "")  # fmt: skip
+
+
+def _number(model: Model, path: str) -> float:
+    here: Any = model
+    for key in resolved(model, path):
+        here = getattr(here, str(key)) if hasattr(type(here), "model_fields") else here[key]
+    if isinstance(here, bool) or not isinstance(here, int | float):
+        raise InputError(f"{path} is {'not set' if here is None else 'no number'}. Name one number that the model has.")
+    return float(here)
+
+
+def _fitting(model: Model, pattern: str) -> list[str]:
+    """The paths that a pattern names: its second word may have stars."""
+    table, _, rest = pattern.partition(".")
+    if "*" not in pattern:
+        return [pattern]
+    name, _, end = rest.partition(".")
+    names = list(getattr(model, table, None) or ())
+    if not (known := matched(names, name)):
+        raise InputError(f"no entry of {table} fits {name!r}. It has: {few(names, 6) or 'nothing'}.")
+    return [f"{table}.{one}.{end}" for one in known]

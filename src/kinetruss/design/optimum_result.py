@@ -1,0 +1,233 @@
+"""The result of an optimum: values, model, certificate, history, as a record, as text and as plain data."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass, field
+from functools import cached_property
+from typing import TYPE_CHECKING, Any
+
+from kinetruss.design.optimum.certificate import FIRST_ORDER, Active, Certificate
+from kinetruss.design.optimum.evaluations import Evaluations, Step
+from kinetruss.design.optimum.truss_sections import Proof
+from kinetruss.display import Table, number, quantity
+from kinetruss.display.tables import words
+from kinetruss.errors import few
+from kinetruss.model import Model, OptimumTask
+from kinetruss.model.optimum import unit_given
+from kinetruss.model.table import read_only
+from kinetruss.results import provenance
+
+if TYPE_CHECKING:
+    from numpy.typing import NDArray
+
+    from kinetruss.design.model_function import ModelFunction
+    from kinetruss.design.optimum.problem import Problem
+
+SHARE = 0.01
+"""Of a limit, by which it is moved in words."""
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class ActiveLimit:
+    """A limit or bound that is reached. name : what; limit : its value; side : ``most`` or ``least``; unit.
+
+    price : by how much the objective falls if the limit is moved by one of its unit; 0 : it is reached but costs nothing.
+    """
+
+    name: str
+    limit: float
+    side: str
+    unit: str
+    price: float
+    bound: bool
+
+
+@dataclass(frozen=True, kw_only=True, eq=False)
+class Optimum:
+    """What an optimum search found.
+
+    model : with the values. values : of the variables, SI. objective, unit : the response that was made small. before : its
+    value at the start. certificate : to first order. active : limits and bounds reached, the dearest first. history : a step
+    for each analysis. analyses : points; computed : values and gradients that were not known from an earlier run; seconds.
+    state : "" done, or ``interrupted``. proof : of a choice from lists, by branch and bound; relaxed : the optimum without
+    lists, from which it was chosen.
+    """
+
+    model: Model
+    task: OptimumTask
+    values: Mapping[str, float]
+    objective: float
+    unit: str
+    before: float
+    certificate: Certificate
+    active: tuple[ActiveLimit, ...]
+    history: tuple[Step, ...]
+    analyses: int
+    computed: int
+    seconds: float
+    state: str = ""
+    proof: Proof | None = None
+    relaxed: float | None = None
+    notes: tuple[str, ...] = ()
+    provenance: Mapping[str, Any] = field(default_factory=dict)
+
+    def __post_init__(self) -> None:
+        read_only(self)
+
+    @property
+    def sentence(self) -> str:
+        """What is proven, in one sentence."""
+        if self.state:
+            return f"Interrupted: the best design so far that keeps all limits. {self._gap}"
+        if not self.certificate.feasible:
+            return f"No optimum: a limit is exceeded by {100 * self.certificate.excess:.3g} % of it."
+        if self.proof is not None or self.relaxed is not None:
+            return self._gap
+        if self.certificate.first_order:
+            priced = sum(one.price > 0 for one in self.active)
+            local = "A local optimum: " if priced >= len(self.values) else "A local optimum to first order: "
+            return (
+                f"{local}no small change within the limits lowers {self.task.least} (residual "
+                f"{self.certificate.residual:.1e}). A better one elsewhere is not excluded."
+            )
+        return (
+            f"No optimum is certified: the residual is {self.certificate.residual:.2g}, "
+            f"more than {FIRST_ORDER:g}. Allow more iterations, a smaller tolerance, or another method."
+        )
+
+    @property
+    def _gap(self) -> str:
+        if self.proof is None:
+            return "" if self.relaxed is None else self._unproven
+        if self.proof.closed:
+            return (
+                f"The best of all choices from the lists, proven by branch and bound ({self.proof.boxes} boxes, "
+                f"{self.proof.programs} programs in whole numbers, {self.proof.seconds:.1f} s)."
+            )
+        return (
+            f"The best choice found; branch and bound {self.proof.stopped}: none is below "
+            f"{quantity(self.proof.bound, self.unit)}, a gap of {100 * self.proof.gap:.2g} %."
+        )
+
+    @property
+    def _unproven(self) -> str:
+        assert self.relaxed is not None  # noqa: S101 - asked only then
+        gap = (self.objective - self.relaxed) / self.objective
+        return (
+            "A choice from the lists that no single step improves; it is not proven. The optimum without lists, a local one, "
+            f"is {100 * gap:.2g} % lower."
+        )
+
+    @cached_property
+    def record(self) -> dict[str, Any]:
+        """All values as plain data, without the model."""
+        proof = None if self.proof is None else {
+            "cost": self.proof.cost, "bound": self.proof.bound, "gap": self.proof.gap, "closed": self.proof.closed,
+            "boxes": self.proof.boxes, "programs": self.proof.programs, "seconds": self.proof.seconds,
+        }  # fmt: skip
+        own = ("objective", "unit", "before", "analyses", "computed", "seconds", "state", "relaxed")
+        return {
+            "title": self.task.title, "least": self.task.least, **{name: getattr(self, name) for name in own},
+            "values": dict(self.values), "sentence": self.sentence, "notes": list(self.notes), "proof": proof,
+            "certificate": {
+                "first_order": self.certificate.first_order, "feasible": self.certificate.feasible,
+                "residual": self.certificate.residual, "complementarity": self.certificate.complementarity,
+                "excess": self.certificate.excess if math.isfinite(self.certificate.excess) else None,
+            },
+            "active": [{name: getattr(one, name) for name in ActiveLimit.__slots__} for one in self.active],
+            "history": [[one.analyses, one.objective, one.worst if math.isfinite(one.worst) else None] for one in self.history],
+            "provenance": dict(self.provenance),
+        }  # fmt: skip
+
+    @property
+    def text(self) -> str:
+        """Variables, what is active and what it costs, the certificate."""
+        return "\n".join(str(one) for one in _lines(self))
+
+    def __str__(self) -> str:
+        return self.text
+
+
+def made(
+    function: ModelFunction, asked: Evaluations, p: NDArray[Any], proven: Certificate, *, state: str,
+    notes: Sequence[str], proof: Proof | None, relaxed: float | None, seconds: float,
+) -> Optimum:  # fmt: skip
+    """The result at a point p (n,)."""
+    problem, model = function.problem, function.model_at(p)
+    return Optimum(
+        model=model,
+        task=function.task,
+        values={one.name: float(value) for one, value in zip(problem.variables, p, strict=True)},
+        objective=asked.values(p)[0],
+        unit=problem.unit,
+        before=asked.values(problem.start)[0],
+        certificate=proven,
+        active=tuple(_named(problem, one) for one in proven.active),
+        history=tuple(asked.history),
+        analyses=asked.analyses,
+        computed=asked.computed,
+        seconds=seconds,
+        state=state,
+        proof=proof,
+        relaxed=relaxed,
+        notes=tuple(notes),
+        provenance=provenance(model, before=provenance(function.model)["model"]),
+    )
+
+
+def _named(problem: Problem, one: Active) -> ActiveLimit:
+    if one.row >= 0:
+        limit = problem.limits[one.row]
+        side = "most" if limit.sign > 0 else "least"
+        return ActiveLimit(
+            name=limit.subject, limit=limit.limit, side=side, unit=limit.unit, price=float(one.multiplier), bound=False
+        )
+    variable = problem.variables[one.variable]
+    bound = variable.upper if one.side > 0 else variable.lower
+    side = "most" if one.side > 0 else "least"
+    return ActiveLimit(name=variable.name, limit=bound, side=side, unit=variable.unit, price=float(one.multiplier), bound=True)
+
+
+def active_words(one: ActiveLimit, unit: str) -> str:
+    """What a limit costs: ``stress of M7 reaches 25 MPa; 1 % more would save 0.4 kg``."""
+    at = quantity(one.limit, one.unit)
+    reached = f"{one.name} is at its {one.side}, {at}" if one.bound else f"{one.name} reaches {at}"
+    saved = one.price * SHARE * abs(one.limit)
+    if not saved > 0:
+        return f"{reached}; that costs nothing"
+    wider = "more" if (one.side == "most") == (one.limit > 0) else "less"
+    return f"{reached}; 1 % {wider} would save {quantity(saved, unit)}"
+
+
+def _lines(found: Optimum) -> list[str]:
+    unit, task = found.unit, found.task
+    rows = [{"name": name, "value": quantity(value, _unit(task, name))} for name, value in found.values.items()]
+    lines = [Table([words("variable", "name"), words("value", lambda row: str(row["value"]))], rows, "Variables").text, ""]
+    lines.append(f"{task.least}: {quantity(found.before, unit)} at the start, {quantity(found.objective, unit)} now, after "
+                 f"{found.analyses} analyses ({found.seconds:.1f} s).")  # fmt: skip
+    lines.append(found.sentence)
+    if found.relaxed is None:
+        lines += [f"  {active_words(one, unit)}." for one in found.active]
+    return [*lines, *found.notes]
+
+
+def _unit(task: OptimumTask, name: str) -> str:
+    one = task.variables[name]
+    return unit_given((one.between or one.choose or (0.0,))[0]) or ""
+
+
+def contradiction_words(function: ModelFunction, kept: Sequence[int], nearest: Any, worst: float) -> str:
+    """Which limits exclude each other, and how to mend it."""
+    problem = function.problem
+    names = [f"{one.subject} at {'most' if one.sign > 0 else 'least'} {quantity(one.limit, one.unit)}" for one in
+             (problem.limits[row] for row in kept)]  # fmt: skip
+    at = few([f"{one.name} {number(float(value))}" for one, value in zip(problem.variables, nearest, strict=True)], 6)
+    which = (
+        f"{names[0]} cannot be kept" if len(names) == 1 else f"These {len(names)} limits exclude each other: {'; '.join(names)}"
+    )
+    return (
+        f"No design within the bounds keeps all limits, as far as a search shows. {which}. The nearest design, {at}, exceeds "
+        f"by {100 * worst:.3g} %. Widen the bounds of the variables, or the limits."
+    )
