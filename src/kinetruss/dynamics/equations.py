@@ -69,14 +69,42 @@ def equations(
     """
     tasks = dict(tasks or {})
     reduced = released(system, not_prescribed(system, tasks))
-    tables, column = _motions(system, tasks, trajectory, t_end)
-    fields = _masses(system, load_case) | _prescribed_coordinates(reduced, column) | _forces(system, load_case, tasks)
-    fields |= stack(list(tables.values()))
+    fields, column = _fields(system, reduced, load_case, tasks, _motions(system, tasks, trajectory, t_end))
     eq, ws = _assembled(system, reduced, fields, column, solver, False)
     if eq.solver == SPARSE and _some_dropped(system, eq, ws):
         eq, ws = _assembled(system, reduced, fields, column, "sparse", True)
         _some_dropped(system, eq, ws)
     return eq, ws
+
+
+def with_numbers(
+    eq: Equations, system: System, load_case: str | None, tasks: Mapping[str, Any], trajectory: Any, t_end: float
+) -> Equations:
+    """The same equations, made as by `equations`, with the numbers of another system; for all but their solver, which keeps
+    its own.
+    """
+    reduced = released(system, not_prescribed(system, tasks))
+    fields, column = _fields(system, reduced, load_case, tasks, _motions(system, tasks, trajectory, t_end))
+    return eq.with_(**(fields | _sums(system, eq.row, fields) | {"value": _values(system, eq.row)}))
+
+
+def _fields(
+    system: System,
+    reduced: System,
+    load_case: str | None,
+    tasks: Mapping[str, Any],
+    motions: tuple[dict[str, Table], dict[str, int]],
+) -> tuple[dict[str, Any], dict[str, int]]:
+    """Masses, forces and motions; the columns of the motions by name."""
+    tables, column = motions
+    fields = _masses(system, load_case) | _prescribed_coordinates(reduced, column) | _forces(system, load_case, tasks)
+    return fields | stack(list(tables.values())), column
+
+
+def _values(system: System, row: NDArray[np.int64]) -> NDArray[np.float64]:
+    """What rows hold, with those of drives as they are at the start."""
+    drive, start = system.row_drive[row], np.concatenate([system.drive_start, np.zeros(1)])
+    return np.where(drive < 0, system.row_value[row], start[drive])
 
 
 def _some_dropped(system: System, eq: Equations, ws: Workspace) -> bool:
@@ -117,7 +145,6 @@ def _assembled(
     local = np.full(system.x0.size, -1, np.int64)
     local[free] = np.arange(len(free))
     drive, member = system.row_drive[row], system.row_member[row]
-    start = np.concatenate([system.drive_start, np.zeros(1)])
     rows = {
         "free": free,
         "local": local,
@@ -126,7 +153,7 @@ def _assembled(
         "A": 3 * system.p[member].astype(np.int64),
         "B": 3 * system.q[member].astype(np.int64),
         "motion": np.array([-1 if d < 0 else column.get(system.drives[d], -1) for d in drive], np.int64),
-        "value": np.where(drive < 0, system.row_value[row], start[drive]),
+        "value": _values(system, row),
     }
     without_bearings = dict.fromkeys(("rubs", "bearing_ints", "bearing_reals", "pressed_ints", "pressed_reals"), np.zeros(0))
     eq = Equations.of(fields | solving | rows | _sums(system, row, fields) | without_bearings)

@@ -376,7 +376,7 @@ def described(name: str, event: Any) -> str:
 def _named(coordinate: Any) -> list[str]:
     """The bars and nodes that a coordinate names."""
     given = (getattr(coordinate, name, ()) for name in ("bar", "node", "axis", "start", "end", "line", "point", "nodes"))
-    return [one for part in given for one in ((part,) if isinstance(part, str) else part) if isinstance(one, str)]
+    return [one for part in given for one in ((part,) if isinstance(part, str) else part or ()) if isinstance(one, str)]
 
 
 def jumps(eq: Equations, all_pieces: bool = False) -> list[float]:

@@ -34,6 +34,8 @@ if TYPE_CHECKING:
 
 FIRST_BUDGET = 256
 """Steps in the first call of the kernel; later calls take as many steps as fit in `LOOK` seconds."""
+FEW = 8
+"""Steps between which step sizes are noted."""
 MOST_BUDGET = 1 << 30
 """Largest number of steps in a call. Calls that end early at singular positions do not show how many steps fit in `LOOK`."""
 APART = ("events", "passages", "between")
@@ -64,11 +66,13 @@ class Stepper(Integration, ABC):
         *,
         patience: float | None = None,
         progress: Callable[[int], None] | None = None,
+        steps: list[tuple[float, float]] | None = None,
     ) -> Trace:
         """Advance to the next given times (s), increasing; the trace holds the good samples.
 
         patience : seconds after which the call returns with fewer samples, but at least one; they count after the first call of
-        the kernel, which may compile it. progress : called with the number of samples done, a few times a second.
+        the kernel, which may compile it. progress : called with the number of samples done, a few times a second. steps : gets
+        times and step sizes on the way (s), of every few steps.
         Ctrl-C ends it with the status INTERRUPTED.
         """
         samples, done, budget, code = self._room(times), 0, FIRST_BUDGET, m.PAUSED
@@ -77,7 +81,9 @@ class Stepper(Integration, ABC):
         try:
             while True:
                 began = time.perf_counter()
-                code, done = self._integrate(samples, done, self._to_next_look(budget))
+                code, done = self._integrate(samples, done, self._to_next_look(budget if steps is None else FEW))
+                if steps is not None:
+                    steps.append((float(self.memory.t), float(self.memory.h)))
                 self._drain()
                 now = time.perf_counter()
                 if patience is not None and last == math.inf:

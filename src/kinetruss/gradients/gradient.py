@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 import xarray as xr
 
-from kinetruss.dynamics import inverse
+from kinetruss.dynamics import inverse, simulate
 from kinetruss.errors import AnalysisError, InputError
 from kinetruss.flexible import frequencies
 from kinetruss.gradients.along import followed, inverted, ran
@@ -21,6 +21,7 @@ from kinetruss.gradients.frequencies_point import FrequenciesPoint
 from kinetruss.gradients.linear_point import LinearPoint
 from kinetruss.gradients.points import gradients_at
 from kinetruss.gradients.responses import Read, read_response
+from kinetruss.gradients.run_point import RunPoint
 from kinetruss.gradients.varied import Varied, Wrt, varied
 from kinetruss.kinematics import follow
 from kinetruss.mechanics import compile
@@ -39,6 +40,7 @@ POINTS: dict[Callable[..., Any], Callable[..., Any]] = {
     equilibrium: EquilibriumPoint,
     buckling: BucklingPoint,
     frequencies: FrequenciesPoint,
+    simulate: RunPoint,
 }
 """What gives the gradients of the results of each analysis."""
 ALIKE = 1e-8
@@ -140,7 +142,9 @@ def value_and_gradient(of: Response | Sequence[Response], wrt: Wrt) -> tuple[Any
 
 def _found(several: Sequence[Response], by: Varied, single: bool) -> tuple[Any, xr.DataArray]:
     first = several[0]
-    point = POINTS[first.analysis](by.system, **first.arguments)
+    # along a run the marks that tell the numbers of a system from each other would grow
+    system = compile(first.model) if first.analysis is simulate else by.system
+    point = POINTS[first.analysis](system, **first.arguments)
     data, more = point.data(), getattr(point, "more", None)
     read = [read_response(one.text, data, more) for one in several]
     for one, own in zip(several, read, strict=True):

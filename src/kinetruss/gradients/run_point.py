@@ -1,0 +1,656 @@
+"""`dynamics.simulate` and its gradients: of values at instants, of what is read over time, of the times of events.
+
+The adjoint of the motion goes back from the samples that a response reads to the start (`run_adjoint`). At a sample, a and N
+follow from its state by the equations of motion; at the start, places and velocities follow from the numbers of the model.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping, Sequence
+from copy import copy
+from dataclasses import dataclass, field, replace
+from functools import cached_property
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+import xarray as xr
+
+from kinetruss.dynamics.equations import with_numbers
+from kinetruss.dynamics.integrators import jumps, watched
+from kinetruss.dynamics.simulation import stepper_for, wanted_times
+from kinetruss.dynamics.simulation_problem import Problem, all_rows
+from kinetruss.dynamics.simulation_records import Trace, simulation_of
+from kinetruss.dynamics.simulation_setup import Options, problem_of, seconds
+from kinetruss.dynamics.starting import given_positions, given_velocities
+from kinetruss.errors import AnalysisError, InputError
+from kinetruss.gradients.run_adjoint import STAGES, Columns, States, Varying, back_through, edges_between, gauss
+from kinetruss.gradients.differences import FOUR, TWO, Weighed, differences
+from kinetruss.gradients.nearness import parts_of, site_of_rows, sites, sites_along
+from kinetruss.gradients.varied import STEP, Varied
+from kinetruss.kernels.coordinates.straight_line import addresses_of
+from kinetruss.kernels.integrate.state import COORDINATE, FORCE, LENGTH
+from kinetruss.kernels.solve.kkt import prepare_rows, row_gaps, row_gradients, row_rate_gaps
+from kinetruss.kernels.solve.residuals import residuals
+from kinetruss.kernels.structure.terms import measure_value
+from kinetruss.mechanics import System, compile
+from kinetruss.model import ERROR_CONTROLLED, Model, Radau
+from kinetruss.results.user_parts import users_of
+from kinetruss.threads import one_thread
+
+if TYPE_CHECKING:
+    from numpy.typing import ArrayLike, NDArray
+
+    Floats = NDArray[np.float64]
+
+CLOSE = 2e-5
+"""Step of differences by numbers, in parts of each: the error is the square of it."""
+SHARE = {"Taylor": 1.4, "DOP853": 2.75, "Radau": 2.75}
+"""Longest cell in steps of the method."""
+REST = 1e-6
+"""Speed of what rests, in lengths over the time of the run."""
+LEAST = 0.25
+"""Shortest step that counts, as a share of the median."""
+GOOD, BEST, FAIR = 3e-10, 3, 100.0
+"""Error of the adjoint, or rtol if that is more, at which cells are short enough; how often they are halved; multiple of it
+above which there is no result."""
+ROOM, STORED = 32e6, 400e6
+"""Bytes of the derivatives, and of the states, that are held at once."""
+MOVED = 1e-12
+"""Change of the start by its projection, relative, that is round-off."""
+JUMP = 0.1
+"""Second difference of a start, as a share of the step of a number, from which on it is no smooth function of it."""
+LEFT_OUT = ("step_size", "smallest_pivot", "constraint_error", "steps", "rejected", "evaluations", "singularity")
+"""What the integration tells of itself."""
+PLAIN = {"position": 0, "velocity": 1, "acceleration": 2}
+"""Variables that are x, v and a of nodes."""
+
+
+@dataclass(frozen=True, eq=False)
+class _At:
+    """The equations of a run with some numbers. given : places and velocities (3 n,) before they are brought onto the
+    constraints. shift (3 n,) : of supports.
+    """
+
+    problem: Problem
+    given: tuple[Floats, Floats]
+    shift: Floats
+
+    def solved(self, at: States) -> tuple[States, Floats]:
+        """The states with these numbers at the same free coordinates, and their residual (s, free + rows)."""
+        eq, x, v, a = self.problem.eq, at.x + self.shift, at.v, at.a
+        if len(eq.held):  # they are set
+            v, a = v.copy(), a.copy()
+        out = np.empty((len(x), len(eq.free) + len(eq.row)))
+        residuals(eq, self.problem.ws, at.t, x, v, a, at.N, out)
+        return States(at.t, x, v, a, at.N), out
+
+    def trace(self, at: States) -> Trace:
+        """Samples of solved states."""
+        N = all_rows(self.problem, at.t, at.x, at.v, at.N)
+        return Trace(t=at.t, x=at.x, v=at.v, a=at.a, N=N, extra=np.zeros((len(N), 0)), diagnostics=np.zeros((len(N), 6)))
+
+
+class RunPoint:
+    """A run of `dynamics.simulate`, with the arguments of that function, and the gradients of what is read of it."""
+
+    def __init__(
+        self,
+        system: System,
+        t_end: float | str | None = None,
+        *,
+        samples: int = 201,
+        times: ArrayLike | None = None,
+        progress: Any = None,  # noqa: ARG002 - of the value alone
+        raise_on_failure: bool = True,  # noqa: ARG002 - a run that failed has no gradient
+        **options: Any,
+    ) -> None:
+        model = system.given
+        t = wanted_times(t_end, samples, times, model)
+        self.model, self.options = model, Options(**options)
+        self.t_end = float(t[-1]) if t_end is None else seconds(t_end)
+        self.problem = problem_of(model, self.t_end, self.options)
+        _refuse(self.problem, self.options)
+        self.work: Any = stepper_for(self.problem, self.t_end)
+        self._noted: list[tuple[float, float]] = []
+        self.trace = self.work.advance(t, steps=self._noted)
+        self.result = simulation_of(self.work, self.trace)
+        if not self.result.status.ok:
+            raise AnalysisError(f"The run has no gradient: {self.result.status.value} {self.result.message}".strip())
+        if self.result.passages:
+            raise AnalysisError(
+                f"The run passes a singular position at t = {self.result.passages[0].time:.6g} s; there its gradient is not known. "
+                "End the run before it."
+            )
+        self._others: dict[bytes, _At] = {}
+
+    @cached_property
+    def _records(self) -> dict[str, Any]:
+        """By variable the part of the result that has it."""
+        parts = (self.result, self.result.motion, self.result.forces)
+        return {str(name): part for part in reversed(parts) for name in part.data.data_vars}
+
+    def data(self) -> xr.Dataset:
+        """The results as users read them, with names of the occurrences of events."""
+        found: dict[str, Any] = {}
+        coords: dict[str, Any] = {}
+        for name, part in self._records.items():
+            one = part.data[name]
+            timed = one.dims[:1] == ("time",) and one.dtype.kind == "f"
+            if (timed or name == "event_time") and name not in LEFT_OUT:
+                found[name] = one.variable
+                coords |= {dim: part.data[dim].variable for dim in one.dims if dim in part.data.coords}
+        if "event_time" in found:
+            named = [one.name for one in self.result.events]
+            coords["occurrence"] = [
+                name if name not in named[:j] else f"{name}_{named[: j + 1].count(name)}" for j, name in enumerate(named)
+            ]
+        return xr.Dataset(found, coords=coords)
+
+    # The equations with other numbers.
+
+    @cached_property
+    def _base(self) -> _At:
+        x, v = given_positions(self.problem.system, self.options.positions), given_velocities(self.problem.system, self.options.velocities)
+        return _At(self.problem.fresh(), (x, v), np.zeros_like(x))
+
+    def _made(self, system: System, model: Model) -> _At:
+        old, given = self._base.problem, self.options.trajectory
+        moving = model.trajectories[given] if isinstance(given, str) else given
+        eq = with_numbers(old.eq, system, old.load_case, old.tasks, moving, self.t_end)
+        start = given_positions(system, self.options.positions), given_velocities(system, self.options.velocities)
+        shift = start[0] - self._base.given[0]
+        shift[eq.free] = 0.0
+        return _At(replace(old, system=system, eq=eq), start, shift)
+
+    def _at(self, by: Varied, change: Floats) -> _At:
+        """With numbers changed by (K,)."""
+        key = change.tobytes()
+        if key not in self._others:
+            anew = bool(self._anew[np.flatnonzero(change)].any())
+            self._others[key] = found = self._changed(by, change, anew)
+            self._same_jumps(found)
+        return self._others[key]
+
+    def _changed(self, by: Varied, change: Floats, anew: bool) -> _At:
+        """The same by the numbers of the elements alone, or by the model set up anew."""
+        model = by.model_at(change) if anew else self.model
+        return self._made(compile(model) if anew else by.changed(change), model)
+
+    def _sort(self, by: Varied, read: _Reading) -> None:
+        """Find the numbers on which more depends than the numbers of the elements tell: loads, motions, inputs."""
+        count = len(by.names)
+
+        def told(which: NDArray[np.int64]) -> bool:
+            change = np.zeros(count)
+            change[which] = CLOSE * by.scale[which]
+            one, two, base = (self._values(at, read) for at in (*(self._changed(by, change, anew) for anew in (False, True)), self._base))
+            if one.shape != two.shape or one.shape != base.shape:
+                return False
+            size = np.maximum(np.abs(one), np.abs(base))
+            return bool((np.abs(one - two) <= 1e-3 * np.abs(two - base) + 1e-9 * CLOSE * size).all())
+
+        def untold(which: NDArray[np.int64]) -> list[int]:
+            if told(which):
+                return []
+            half = len(which) // 2
+            return which.tolist() if not half else [*untold(which[:half]), *untold(which[half:])]
+
+        self._anew = np.zeros(count, bool)
+        self._anew[untold(np.arange(count))] = True
+
+    def _values(self, at: _At, read: _Reading) -> Floats:
+        """All that depends on numbers at fixed states: the equations, the start, what is read."""
+        states, left = at.solved(read.states)
+        eq = at.problem.eq
+        times = [eq.piece_start, eq.force_time, eq.load_time]
+        return np.concatenate([left.reshape(-1), eq.reals, *times, *at.given, self._columns(at, states, read).reshape(-1)])
+
+    def _same_jumps(self, other: _At) -> None:
+        """Refuse numbers that move an instant at which a drive or support jumps, or a bend onto a sample of forces."""
+        one, two = self._base.problem.eq, other.problem.eq
+        if np.array_equal(one.piece_start, two.piece_start):
+            return
+        given = {*one.force_time.tolist(), *one.load_time.tolist()}
+        if [t for t in jumps(one) if t not in given]:
+            raise AnalysisError(
+                "A number changes the instant at which a velocity or acceleration of a drive or support jumps; this gradient is "
+                "not known. Take a motion without jumps, as Quintic."
+            )
+        bends = one.piece_start[one.piece_start != two.piece_start]
+        if len(on := [t for t in self._forced if np.abs(bends - t).min() <= 10.0 * CLOSE * self.t_end]):
+            raise AnalysisError(
+                f"A force or acceleration is read at t = {on[0]:.6g} s, where a motion ends or changes its form, and a number moves "
+                "that instant: it has one gradient before and one after it. Choose other samples."
+            )
+
+    @cached_property
+    def _varying(self) -> Varying:
+        base, system = self._base, self.problem.system
+        eq, parts, at = base.problem.eq, parts_of(system), sites(system)
+        node = np.repeat(at["node"], 3)[eq.free]
+        rows = site_of_rows(system)[eq.row]
+        names = list(parts.index)
+        near = [parts.around(("nodes", names[i])) if i >= 0 else None for i in node.tolist()]
+        site = np.concatenate([node, rows]).astype(np.int64)
+        kept = np.concatenate([np.arange(len(eq.free)), len(eq.free) + np.flatnonzero(~eq.redundant)])
+        length = np.asarray(self.work.control.length, float)
+        length = np.where(np.isfinite(length) & (length > 0), length, 1.0)
+        elastic = bool(eq.law_A.size or eq.element.size)
+        return Varying(
+            lambda states: base.solved(states)[1], eq.free, kept, Columns.of(near, len(names)), site, length, elastic
+        )
+
+    # What responses read at samples and at events.
+
+    def _kept(self, name: str) -> tuple[NDArray[np.int64], ...]:
+        """Places of the values that users read along the axes after time."""
+        whole = self._records[name].whole
+        found = users_of(whole.isel(time=[0]), name)
+        return tuple(np.asarray(one).reshape(-1) for one in found[1:])
+
+    def _columns(self, at: _At, states: States, read: _Reading) -> Floats:
+        """Values (s, values) at solved states of `at`."""
+        found, count = [], len(states.t)
+        if read.others:
+            work = copy(self.work)
+            work.problem, work.angles, work.worst, work.ended = at.problem, self.work.angles.copy(), self.work.worst.copy(), False
+            whole = simulation_of(work, at.trace(states))
+            parts = {"result": whole, "motion": whole.motion, "forces": whole.forces}
+        for name in read.names:
+            if name in PLAIN:
+                values = states[1 + PLAIN[name]].reshape(count, -1, 3)
+            else:
+                values = parts[read.part[name]].arrays[name].values
+            found.append(values[np.ix_(np.arange(count), *read.kept[name])].reshape(count, -1))
+        return np.concatenate([*found, self._gaps(at, states)], axis=1)
+
+    def _gaps(self, at: _At, states: States) -> Floats:
+        """What each event watches, less its value, (s, events)."""
+        problem, found = at.problem, []
+        for one in watched(problem.system, self._base.problem.eq, problem.events):
+            if one.kind == COORDINATE:
+                own = states.x[:, one.a]
+            elif one.kind == LENGTH:
+                own = np.linalg.norm(states.x[:, one.b : one.b + 3] - states.x[:, one.a : one.a + 3], axis=1)
+            elif one.kind == FORCE:
+                own = states.N[:, one.a]
+            else:
+                kinds, places, data = (np.array(column) for column in zip(*one.terms, strict=True))
+                forms, data = addresses_of(kinds), data.astype(float)
+                own = np.array([measure_value(forms, places, data, 0, len(data), x) for x in states.x])
+            found.append(own - one.value)
+        return np.array(found).reshape(len(found), len(states.t)).T
+
+    @one_thread
+    def gradients(self, by: Varied, seeds: Sequence[Mapping[str, Floats]]) -> Floats:
+        """Derivatives (k, numbers) of k responses with seeds ds/dd by the variables that they read."""
+        read = self._reading(by, seeds)
+        self._others.clear()
+        self._forced = read.states.t[np.abs(read.z).max(axis=(1, 2), initial=0.0) > 0].tolist()
+        self._sort(by, read)
+        found = self._of_marks(by, read)
+        good = max(GOOD, 3.0 * self.problem.method.rtol)
+        for _ in range(BEST + 1):
+            gradient, start, error = self._swept(by, read)
+            if error <= good or error > 0.5 * read.error:
+                break
+            read.share, read.error = 0.5 * read.share, error
+        error = min(error, read.error)
+        if not error <= FAIR * good:
+            raise AnalysisError(
+                f"The gradient along the run is not known to more than {error:.2g} of its size: a force that jumps or bends (dry "
+                "friction, an impact), or a motion that the method follows too roughly. Tighten rtol and atol, or smooth that."
+            )
+        return found + gradient + self._of_start(by, start)
+
+    def _reading(self, by: Varied, seeds: Sequence[Mapping[str, Floats]]) -> _Reading:
+        """What is read where: seeds at marks, with what follows from times of events, reduced to weights of places and
+        velocities.
+        """
+        names = [name for name in dict.fromkeys(name for one in seeds for name in one) if name != "event_time"]
+        kept = {name: self._kept(name) for name in names}
+        wanted = np.zeros(len(self.trace.t), bool)
+        for one in seeds:
+            for name, own in one.items():
+                if name != "event_time":
+                    wanted |= np.abs(own).reshape(len(own), -1).max(axis=1, initial=0.0) > 0
+        if self.result.status.name == "EVENT" and wanted[-2:].all() and len(wanted) > 1:
+            raise AnalysisError(
+                "A mean over time, or a value between samples, of a run that an event ends has no gradient by the time of that "
+                "end. Give the run an end in time, or read final(...), max(...) or an earlier instant."
+            )
+        events = self.work.happened()["events"]
+        of_time = np.array([one.get("event_time", np.zeros(len(events))) for one in seeds])
+        met = np.flatnonzero(np.abs(of_time).max(axis=0, initial=0.0) > 0).tolist()
+        last = max([*self.trace.t[wanted], *events[met, 1]], default=0.0)
+        for k, t, *_ in events[events[:, 1] <= last]:
+            if (name := list(self.problem.events)[int(k)]) not in (self.options.events or {}):
+                raise AnalysisError(
+                    f"The run has no gradient beyond t = {t:.6g} s: there {name} is met or left, and its force bends. Read earlier "
+                    "values, or take an elastic element without a gap."
+                )
+        stop = len(events) - 1 if self.result.status.name == "EVENT" and wanted[-1] else -1
+        if stop >= 0 and stop not in met:
+            met.append(stop)
+        at = {float(t): k for k, t in enumerate(self.trace.t)}
+        times = np.unique(np.concatenate([self.trace.t[wanted], events[met, 1]]))
+        places = [at.get(float(t), -1) for t in times]
+        if min(places, default=0) < 0:
+            states = self._states(self._stepper(), times)
+        else:
+            row, trace = self._base.problem.eq.row, self.trace
+            states = States(trace.t, trace.x, trace.v, trace.a, trace.N[:, row]).part(places)
+        part = {
+            name: "result" if self._records[name] is self.result else "motion" if self._records[name] is self.result.motion else "forces"
+            for name in names
+        }
+        read = _Reading(names, kept, part, any(name not in PLAIN for name in names), states)
+        k, count = len(seeds), len(self.problem.events)
+        pieces = []
+        for name in names:
+            size = int(np.prod([len(one) for one in kept[name]], initial=1))
+            own = np.zeros((k + len(met), len(times), size))
+            for i, one in enumerate(seeds):
+                if name in one:
+                    for j, place in enumerate(places):
+                        if place >= 0:
+                            own[i, j] = one[name][place].reshape(-1)
+            pieces.append(own)
+        gaps = np.zeros((k + len(met), len(times), count))
+        for j, one in enumerate(met):
+            gaps[k + j, int(np.flatnonzero(times == events[one, 1])[0]), int(events[one, 0])] = 1.0
+        read.weight = np.concatenate([*pieces, gaps], axis=2)
+        read.site = np.concatenate([*(self._sites(name).reshape(-1) for name in names), np.full(count, -1)]).astype(np.int64)
+        read.share, read.error = SHARE[type(self.problem.method).__name__], np.inf
+        self._reduce(read)
+        self._follow_events(read, [(one, float(events[one, 1]), of_time[:, one], one == stop) for one in met], k)
+        return read
+
+    def _sites(self, name: str) -> NDArray[np.int64]:
+        """The node of each value that users read, (values,)."""
+        one = self._records[name].whole[name].isel(time=0)
+        own = sites_along(self.problem.system, one)
+        return np.asarray(own[np.ix_(*self._kept(name))] if own.ndim else own)
+
+    def _reduce(self, read: _Reading) -> None:
+        """Weights of places and velocities at the marks (marks, k, free), and of the residual there, from those of values."""
+        vary, base, states, weight = self._varying, self._base, read.states, read.weight.swapaxes(0, 1)
+        eq, used = base.problem.eq, np.flatnonzero(np.abs(read.weight).max(axis=(0, 1), initial=0.0) > 0)
+
+        def by(name: str, flat: NDArray[np.int64], step: Floats, columns: Columns, points: Any = TWO) -> Floats:
+            moved = getattr(states, name).copy()
+
+            def change(group: list[int]) -> Floats:
+                return vary.nudged(
+                    lambda own: self._columns(base, states._replace(**{name: own}), read)[:, used],
+                    moved,
+                    flat[group],
+                    step[group],
+                    points,
+                )
+
+            found = np.zeros((*weight.shape[:2], len(flat)))
+            for j, where, effect in columns.found(change, read.site[used]):
+                found[:, :, j] = np.einsum("mkv,mv->mk", weight[:, :, used][:, :, where], effect) / step[j]
+            return found
+
+        f, r = len(eq.free), len(eq.row)
+        alone = Columns([[j] for j in range(r)], [None] * r, vary.columns.count)
+        sizes = [float(np.abs(one).max(initial=0.0)) or 1.0 for one in (states.v, states.a, states.N)]
+        if read.others or read.weight[..., -max(1, len(self.problem.events)) :].any():
+            sx = by("x", eq.free, vary.reach * vary.length, vary.columns, vary.points)
+            sv, sa = (
+                by(name, eq.free, np.full(f, 1e-3 * size), vary.columns)
+                for name, size in (("v", sizes[0]), ("a", sizes[1]))
+            )
+            sN = by("N", np.arange(r), np.full(r, 1e-3 * sizes[2]), alone)
+        else:
+            sx, sv, sa = self._plain(read)
+            sN = np.zeros((*weight.shape[:2], r))
+        if eq.redundant.any() and np.abs(sN).max(initial=0.0) > 0:
+            raise AnalysisError(
+                "A response reads forces that are not unique, because constraints depend on each other; they have no gradient. "
+                "Read positions, velocities or energies, or leave the redundant members out."
+            )
+        tangent = vary.tangent(states)
+        z = vary.weights(tangent, sa, sN)
+        read.z = z
+        read.sx, read.sv = sx - z[:, :, vary.kept] @ tangent.rx, sv - z[:, :, vary.kept] @ tangent.rv
+
+    def _plain(self, read: _Reading) -> list[Floats]:
+        """Weights of free coordinates of x, v, a where nothing else is read."""
+        free, found, first = self._base.problem.eq.free, [], 0
+        whole = np.zeros((3, *read.weight.shape[:2], *self.problem.system.x0.shape))
+        for name in read.names:
+            nodes, axes = read.kept[name]
+            size = len(nodes) * len(axes)
+            own = read.weight[:, :, first : first + size].reshape(*read.weight.shape[:2], len(nodes), len(axes))
+            whole[PLAIN[name]][:, :, nodes[:, None], axes] += own
+            first += size
+        for one in whole:
+            found.append(one.reshape(*read.weight.shape[:2], -1)[:, :, free].swapaxes(0, 1))
+        return found
+
+    def _follow_events(self, read: _Reading, met: list[tuple[int, float, Floats, bool]], k: int) -> None:
+        """Add what the times of events change: dt = -(change of what is watched)/(its rate)."""
+        if met:
+            rate = self._rates(read)
+            for j, (_, t, of_time, stops) in enumerate(met):
+                m = int(np.flatnonzero(read.states.t == t)[0])
+                own, size = rate[m, k + j], float(np.abs(read.sx[m, k + j]) @ np.abs(read.states.v[m, self._base.problem.eq.free]))
+                if not abs(own) > 1e-9 * size or own == 0.0:
+                    raise AnalysisError(f"What is watched only touches its value at t = {t:.6g} s; that time has no gradient.")
+                for i in range(k):
+                    share = -(of_time[i] + (rate[m, i] if stops else 0.0)) / own
+                    read.sx[m, i] += share * read.sx[m, k + j]
+                    read.sv[m, i] += share * read.sv[m, k + j]
+                    read.z[m, i] += share * read.z[m, k + j]
+                    read.weight[i, m] += share * read.weight[k + j, m]
+        read.sx, read.sv, read.z, read.weight = read.sx[:, :k], read.sv[:, :k], read.z[:, :k], read.weight[:k]
+
+    def _rates(self, read: _Reading) -> Floats:
+        """Rates (marks, k) of what is read along the motion."""
+        at, free = read.states, self._base.problem.eq.free
+        found = np.einsum("mkf,mf->mk", read.sx, at.v[:, free]) + np.einsum("mkf,mf->mk", read.sv, at.a[:, free])
+        step = 1e-6 * self.t_end
+        for way in (1.0, -1.0):
+            states, left = self._base.solved(at._replace(t=at.t + way * step))
+            values = self._columns(self._base, states, read)
+            found += way * 0.5 / step * (np.einsum("kmv,mv->mk", read.weight, values) - np.einsum("mkr,mr->mk", read.z, left))
+        return found
+
+    def _of_marks(self, by: Varied, read: _Reading) -> Floats:
+        """Derivatives by the numbers at fixed states of the marks."""
+        k = read.weight.shape[0]
+
+        def of(change: Floats) -> Floats:
+            at = self._at(by, change)
+            states, left = at.solved(read.states)
+            values = np.einsum("kmv,mv->kv", read.weight, self._columns(at, states, read))
+            return np.concatenate([-np.einsum("mkr,mr->kr", read.z, left), values], axis=1).reshape(-1)
+
+        return self._by_numbers(by, of, np.concatenate([self._varying.site, read.site]), k)
+
+    def _by_numbers(self, by: Varied, of: Any, site: NDArray[np.int64], k: int) -> Floats:
+        """Derivatives (k, numbers) of k sums of terms (k m,), each at a node (m,)."""
+        weight, vary = np.kron(np.eye(k), np.ones(len(site))), self._varying
+        step = (STEP if vary.elastic else CLOSE) * by.scale
+        return differences(Weighed(of, weight, np.tile(site, k)), by.near, step, vary.columns.count, vary.points)
+
+    # The adjoint along the run.
+
+    def _stepper(self) -> Any:
+        return stepper_for(self.problem.fresh(), self.t_end)
+
+    def _states(self, work: Any, t: Floats) -> States:
+        found = work.advance(t)
+        if len(found.t) < len(t):
+            raise AnalysisError(f"The run cannot be repeated beyond t = {found.t[-1]:.6g} s. Run it again with tighter tolerances.")
+        return States(found.t, found.x, found.v, found.a, np.ascontiguousarray(found.N[:, self._base.problem.eq.row]))
+
+    @cached_property
+    def _steps(self) -> tuple[Floats, Floats]:
+        """Instants from the start to the end, and the steps of the method there."""
+        t, h = np.array(self._noted).T
+        good = (h > 0) & (np.diff(t, prepend=0.0) > 0)
+        t, h = t[good], np.maximum(h[good], LEAST * np.median(h[good]))  # short steps after a break say little
+        return np.concatenate([[0.0], t, [max(float(t[-1]), self.t_end)]]), np.concatenate([h[:1], h, h[-1:]])
+
+    def _swept(self, by: Varied, read: _Reading) -> tuple[Floats, Floats, float]:
+        """Derivatives (k, numbers) by what numbers do along the run; the adjoint (k, 2 free) at the start; its error."""
+        vary, base, k = self._varying, self._base, read.weight.shape[0]
+        f, last, stiff = len(vary.free), float(read.states.t[-1]), isinstance(self.problem.method, Radau)
+        jump = {float(t): np.concatenate([sx, sv], axis=1) for t, sx, sv in zip(read.states.t, read.sx, read.sv, strict=True)}
+        adjoint, found = jump[last], np.zeros((k, len(by.names)))
+        if last == 0.0:
+            return found, adjoint, 0.0
+        breaks = [t for t in jumps(base.problem.eq, all_pieces=True) if 0.0 < t < last]
+        bends = self.work.happened()["events"][:, 1]
+        inner = np.concatenate([read.states.t, breaks, bends[(bends > 0.0) & (bends < last)]])
+        edges = edges_between(np.unique(np.concatenate([[0.0], inner])), *self._steps, read.share)
+        size = STAGES * (f + len(vary.site)) ** 2 * 40 + (STAGES * f) ** 2 * 32 * stiff
+        eq = base.problem.eq
+        least = REST * np.concatenate([vary.length / self.t_end, vary.length / self.t_end**2])
+        timed = bool(len(eq.motion_kind) or len(eq.force_time) > len(eq.force_kind) or len(eq.load_time))
+        drift, error, scale = np.zeros(k), np.zeros(k), np.full(k, 1e-300)
+        for own, every in self._backwards(edges, max(1, int(ROOM / size)), gauss(STAGES).c):
+            h = np.diff(own)
+            ends = np.arange(len(own)) * (STAGES + 1)
+            at = every.part(np.setdiff1d(np.arange(len(every.t)), ends))
+            tangent = vary.tangent(at)
+            jumps_here = np.array([jump.get(float(t), np.zeros_like(adjoint)) for t in own[:-1]])
+            later, earlier, inner = back_through(tangent, h, STAGES, adjoint, jumps_here, stiff)
+            adjoint = earlier[0] + jumps_here[0]
+            of_a = inner.reshape(len(h) * STAGES, k, f)
+            z = vary.weights(tangent, of_a)
+            found -= self._by_numbers(by, lambda change, at=at, z=z: self._sums(by, change, at, z), vary.site, k)
+            # l^T (v, a) changes by what depends on time
+            rate = np.concatenate([every.v[ends][:, vary.free], every.a[ends][:, vary.free]], axis=1)
+            gain = np.einsum("ckf,cf->ck", later, rate[1:]) - np.einsum("ckf,cf->ck", earlier, rate[:-1])
+            if timed:
+                step = 1e-4 * np.repeat(h, STAGES)
+                left = [base.solved(at._replace(t=at.t + way * step))[1] for way in (1.0, -1.0)]
+                by_time = np.einsum("skr,sr->sk", z, (left[0] - left[1]) / (2.0 * step[:, None]))
+                gain += by_time.reshape(len(h), STAGES, k).sum(axis=1)
+            gain[np.isin(own[:-1], breaks) | np.isin(own[1:], breaks)] = 0.0
+            sums = drift + np.cumsum(gain[::-1], axis=0)
+            drift, error = sums[-1], np.maximum(error, np.abs(sums).max(axis=0))
+            scale = np.maximum(scale, np.einsum("ckf,cf->ck", np.abs(later), np.abs(rate[1:]) + least).max(axis=0))
+        return found, adjoint, float((error / scale).max(initial=0.0))
+
+    def _sums(self, by: Varied, change: Floats, at: States, z: Floats) -> Floats:
+        return np.asarray(np.einsum("skr,sr->kr", z, self._at(by, change).solved(at)[1]).reshape(-1))
+
+    def _backwards(self, edges: Floats, each: int, c: Floats) -> Iterator[tuple[Floats, States]]:
+        """From the end to the start, ends of at most so many cells, and the states at these and at the places c between.
+
+        The run is repeated once; if its states take too much room, from places that are stored on the way.
+        """
+        blocks = [slice(i, min(i + each, len(edges) - 1) + 1) for i in range(0, len(edges) - 1, each)]
+        together = max(1, int(STORED / ((len(c) + 1) * (self.trace.x.shape[1] * 4 + 8) * 8 * each)))
+        parts = [blocks[i : i + together] for i in range(0, len(blocks), together)]
+        work, stored = self._stepper(), []
+        for part in parts[:-1]:
+            stored.append(work.arrays())
+            work.advance(edges[part[-1].stop - 1 : part[-1].stop])
+        for part in reversed(parts):
+            if len(parts) > 1 and part is not parts[-1]:
+                work = self._stepper()
+                work.restore(stored.pop())
+            own = edges[part[0].start : part[-1].stop]
+            inside = own[:-1, None] + np.diff(own)[:, None] * np.concatenate([[0.0], c])
+            every, per = self._states(work, np.append(inside.reshape(-1), own[-1])), len(c) + 1
+            for block in reversed(part):
+                first, last = block.start - part[0].start, block.stop - 1 - part[0].start
+                yield edges[block], every.part(slice(first * per, last * per + 1))
+
+    # The start.
+
+    def _of_start(self, by: Varied, adjoint: Floats) -> Floats:
+        """Derivatives (k, numbers) by what numbers change at the start, from its adjoint (k, 2 free)."""
+        base, free, f = self._base, self._varying.free, len(self._varying.free)
+        x, v = (one[free] for one in base.given)
+        moved = np.abs(x - self.problem.x0[free]).max(initial=0.0) > MOVED * float(np.ptp(self.problem.x0))
+        if moved or np.any(v) or np.any(self.problem.v0[free]):
+            return self._of_projected_start(by, adjoint)
+        eq, ws = base.problem.eq, base.problem.ws
+        still = States(np.zeros(1), self.problem.x0[None], self.problem.v0[None], np.zeros((1, base.shift.size)), np.zeros((1, len(eq.row))))
+        tangent = self._varying.tangent(still)
+        halves = np.concatenate([adjoint[:, :f], adjoint[:, f:]])[None]
+        # M q + J^T n = l, J q = 0 : n is what the gaps of the rows count
+        count = self._varying.weights(tangent, halves)[0][:, f:]
+        k = len(adjoint)
+
+        def of(change: Floats) -> Floats:
+            at = self._at(by, change)
+            place, speed = (one.copy() for one in at.given)
+            prepare_rows(at.problem.eq, at.problem.ws, 0.0, place, speed)
+            row_gradients(at.problem.eq, at.problem.ws, place)
+            gaps, rates = np.empty(len(eq.row)), np.empty(len(eq.row))
+            row_gaps(at.problem.eq, place, at.problem.ws.target, gaps)
+            row_rate_gaps(at.problem.eq, at.problem.ws, place, speed, at.problem.ws.target, rates)
+            by_rows = -(count[:k] * gaps + count[k:] * rates)
+            return np.concatenate([adjoint[:, :f] * place[free] + adjoint[:, f:] * speed[free], by_rows], axis=1).reshape(-1)
+
+        return self._by_numbers(by, of, self._varying.site, k)
+
+    def _of_projected_start(self, by: Varied, adjoint: Floats) -> Floats:
+        """The same where the start is moved onto the constraints: by the whole set-up at changed numbers, one by one."""
+        free, found = self._varying.free, np.zeros((len(adjoint), len(by.names)))
+        here = np.concatenate([self.problem.x0[free], self.problem.v0[free]])
+        size = np.repeat([float(np.abs(one).max(initial=0.0)) or 1.0 for one in (self.problem.x0, self.problem.v0)], len(free))
+        for j in range(len(by.names)):
+            states = []
+            for share, _ in FOUR:
+                change = np.zeros(len(by.names))
+                change[j] = share * STEP * by.scale[j]
+                start = problem_of(by.model_at(change), self.t_end, self.options)
+                states.append(np.concatenate([start.x0[free], start.v0[free]]))
+            if (np.abs(states[0] + states[1] - 2.0 * here) > JUMP * STEP * size).any():
+                raise AnalysisError(
+                    f"The start jumps with {by.names[j]}: velocities fit the constraints there and not beside it. Give velocities "
+                    "of all nodes, or none."
+                )
+            slope = sum(weight * state for (_, weight), state in zip(FOUR, states, strict=True))
+            found[:, j] = adjoint @ slope / (STEP * by.scale[j])
+        return found
+
+
+@dataclass(eq=False)
+class _Reading:
+    """What responses read at marks (m,): names of variables; kept, part : where their values are; weight (k, m, values), site
+    (values,); sx, sv (m, k, free) and z (m, k, residuals) from them; share : longest cell in steps; error : of the adjoint.
+    """
+
+    names: list[str]
+    kept: dict[str, tuple[NDArray[np.int64], ...]]
+    part: dict[str, str]
+    others: bool
+    states: States
+    weight: Any = None
+    site: Any = None
+    sx: Any = None
+    sv: Any = None
+    z: Any = None
+    share: float = 1.0
+    error: float = field(default=np.inf)
+
+
+def _refuse(problem: Problem, options: Options) -> None:
+    """Refuse runs whose gradient is not known, by what in them it is."""
+    model = problem.system.model
+    found = {
+        f"{type(problem.method).__name__} has steps whose error of second order the gradient does not have: take Taylor, DOP853 or "
+        "Radau": not isinstance(problem.method, ERROR_CONTROLLED),
+        "motors with an input switch (friction, saturation): give the drives motions or forces": problem.motors is not None,
+        "the user's force has no derivatives: give it as a load": options.user_force is not None,
+        "drives are fed back: give them motions or forces": options.feedback is not None,
+        "the base rotates: take one that does not": problem.user.given and options.user_force is None and options.feedback is None,
+        "there is dry friction in bearings: leave it out": bool(model.bearings),
+        "rigid links keep the shape of beams: make them elastic, or bars": problem.shapes is not None,
+        "the start is at or near a singular position: start beside it": bool(problem.singular and problem.singular.near),
+        "nothing is free to move: take dynamics.inverse": not len(problem.eq.free),
+    }
+    for why, holds in found.items():
+        if holds:
+            raise InputError(f"The run has no gradient: {why}.")
