@@ -184,8 +184,11 @@ class ModelFunction:
                         continue
                     faults += _unit_faults(name, side, limit, one.unit, text)
                     size = abs(float(limit)) or float(np.nanmax(np.abs(one.values))) or 1.0
-                    which = {"name": name, "case": case, "analysis": j, "text": i, "of": one, "kept": kept}
-                    blocks.append(Block(**which, limit=float(limit), size=size, sign=sign, unit=unit_given(limit) or one.unit))
+                    made = Block(
+                        name=name, case=case, analysis=j, text=i, of=one, kept=kept, limit=float(limit), size=size, sign=sign,
+                        unit=unit_given(limit) or one.unit,
+                    )  # fmt: skip
+                    blocks.append(made)
         if faults:
             raise ModelError(faults)
         return LimitRows(blocks)
