@@ -174,7 +174,7 @@ def command(folder, *arguments):
 
 def wait_for(file, lines, process):
     """Until a file has so many lines, or the process has ended."""
-    for _ in range(600):
+    for _ in range(6000):
         if process.poll() is not None or (file.exists() and file.read_bytes().count(b"\n") >= lines):
             return
         time.sleep(0.05)
