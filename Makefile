@@ -72,7 +72,7 @@ bench-peers: setup
 # Pins for Python 3.11 and newer, hashes included; needs uv. Those of the demo are among those of everything.
 PINS := --universal --python-version 3.11 --generate-hashes --no-header --no-annotate --quiet
 lock:
-	uv pip compile pyproject.toml --extra exchange --extra export --extra mesh --extra notebook --extra optimum --extra render --extra studio --group dev $(PINS) -o requirements.lock
+	uv pip compile pyproject.toml --extra cluster --extra exchange --extra export --extra mesh --extra notebook --extra optimum --extra render --extra studio --group dev $(PINS) -o requirements.lock
 	uv pip compile pyproject.toml --extra studio --group build -c requirements.lock $(PINS) -o requirements-demo.lock
 
 # The page of kinetruss view, bundled from viewer-src; needs node and npm. Its units and colours come from the package.

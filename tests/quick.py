@@ -38,6 +38,7 @@ PARTS = {
     "runs": ("runs", "conditions"),
     "statics": ("statics",),
     "strength": ("strength",),
+    "studies": ("studies",),
     "studio": ("studio",),
     "verification": ("verification",),
     "viewer": ("viewer", "browser", "render"),

@@ -34,6 +34,7 @@ if TYPE_CHECKING:
         runs as runs,
         statics as statics,
         strength as strength,
+        studies as studies,
         studio as studio,
         units as units,
         verification as verification,

@@ -18,6 +18,7 @@ from kinetruss.cli.plotting import compare, plot
 from kinetruss.cli.reporting import report
 from kinetruss.cli.running import run
 from kinetruss.cli.sizing import budget, size
+from kinetruss.cli.studying import study
 from kinetruss.cli.verifying import verify
 
 EPILOG = """\b
@@ -54,7 +55,7 @@ def main(context: click.Context) -> None:
 
 
 for _verb in (
-    new, check, run, info, verify, examples, import_file, export, plot, compare, size, optimise, budget, explain, gauges, view,
-    picture, render, report, studio, compile_kernels,
+    new, check, run, study, info, verify, examples, import_file, export, plot, compare, size, optimise, budget, explain, gauges,
+    view, picture, render, report, studio, compile_kernels,
 ):  # fmt: skip
     main.add_command(_verb)

@@ -74,7 +74,7 @@ def _run_all(look: Callable[[], None]) -> None:
     """Do all runs, the groups in parallel if there are enough processors. look : called regularly while other processes
     work.
     """
-    from kinetruss.runs.many import processors
+    from kinetruss.runs.processes import processors
 
     first, *others = RUNS
     if processors() < len(RUNS):

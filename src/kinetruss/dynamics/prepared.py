@@ -50,11 +50,11 @@ class Places(NamedTuple):
 
 
 class PreparedModel:
-    """A model prepared for many motions and their forces; see `prepare`."""
+    """A model prepared for many motions and their forces; see `prepare`. system : one with other numbers than the model's."""
 
-    def __init__(self, model: Model, load_case: str | None) -> None:
+    def __init__(self, model: Model, load_case: str | None, system: System | None = None) -> None:
         self.model, self.load_case = model, load_case
-        self._system = compile(model)
+        self._system = compile(model) if system is None else system
         case_loads(self._system, np.zeros(1), load_case, rotating=True)
 
     def follow(

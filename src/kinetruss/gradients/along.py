@@ -162,9 +162,7 @@ class _Users(Mapping[str, Any]):
 # The analyses.
 
 
-def followed(
-    system: System, trajectory: Any, samples: int = 201, *, times: ArrayLike | None = None
-) -> AlongPoint:
+def followed(system: System, trajectory: Any, samples: int = 201, *, times: ArrayLike | None = None) -> AlongPoint:
     """`kinematics.follow` along a trajectory, or along one of the model by its name."""
     return AlongPoint(system, Way(trajectory=trajectory, samples=samples, times=times), (None,), Asked())
 

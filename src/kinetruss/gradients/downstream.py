@@ -57,9 +57,7 @@ class Along(Mapping[str, Any]):
     motion, forces : of `model`; what follows is of these. rest (times, 3 n) : what is left at the nodes, N.
     """
 
-    def __init__(
-        self, model: Model, asked: Asked, motion: Motion, forces: Forces | None, rest: Floats | None = None
-    ) -> None:
+    def __init__(self, model: Model, asked: Asked, motion: Motion, forces: Forces | None, rest: Floats | None = None) -> None:
         self.rest = rest
         self.model, self.asked, self.motion, self.forces = model, asked, motion, forces
         self.system = compile(model)

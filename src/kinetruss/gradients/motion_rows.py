@@ -58,7 +58,11 @@ def row_residuals(system: System, given: Prescribed, states: States) -> tuple[Fl
     """Residuals of positions, velocities and accelerations (s, rows), m and s, at states (s, 3 n)."""
     count, rows = len(states.x), len(system.row_member)
     x, v, a = (y.reshape(count, -1, 3) for y in states)
-    target, rate, second = np.broadcast_to(system.row_value, (count, rows)).copy(), np.zeros((count, rows)), np.zeros((count, rows))
+    target, rate, second = (
+        np.broadcast_to(system.row_value, (count, rows)).copy(),
+        np.zeros((count, rows)),
+        np.zeros((count, rows)),
+    )
     driven = np.flatnonzero(system.row_drive >= 0)
     for one, own in zip((target, rate, second), given.drive, strict=True):
         one[:, driven] = own[:, system.row_drive[driven]]

@@ -37,6 +37,7 @@ DEEPEST = 60
 TIE = 1e-9
 """Values that differ by less than this fraction are equally large."""
 TIME = "time"
+OF_MOTORS = {name: (1.0, in_unit(name)) for name in ("V", "A", "kg", "J")}
 
 FUNCTIONS: dict[str, str] = {
     "abs": "abs(x): magnitude",
@@ -235,7 +236,7 @@ def _named(name: str, at: _Data) -> _Value:
             at.seeds[name] = at.seeds.get(name, np.zeros_like(values)) + g
 
         return _Value(values, tuple(one.dims), in_unit(one.attrs.get("units", "")), push)
-    if name in (units := {**CONSTANTS, **FORCE_UNITS}):
+    if name in (units := {**CONSTANTS, **FORCE_UNITS, **OF_MOTORS}):
         return _constant(*units[name])
     raise ExpressionError(f"has {name!r}, which the result does not have.", nearest(name, at.of))
 

@@ -56,9 +56,7 @@ def by_states(of: Callable[[Floats], Floats], given: Weights, by: Unknowns, *, s
     if not len(used):
         return found
     sites = {*given.site[used].tolist()}
-    wanted = [
-        k for k, near in enumerate(by.near) if by.step[k] and (near is None or -1 in sites or not sites.isdisjoint(near))
-    ]
+    wanted = [k for k, near in enumerate(by.near) if by.step[k] and (near is None or -1 in sites or not sites.isdisjoint(near))]
     groups = [[wanted[j] for j in group] for group in colours([by.near[k] for k in wanted], by.count)]
     weight, site = given.value[:, :, used], given.site[used]
     here = of(by.value[None])[..., used]

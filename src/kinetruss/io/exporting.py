@@ -81,14 +81,14 @@ def _within(name: str, wanted: str) -> bool:
     return name == wanted or name.startswith(wanted.rstrip("/") + "/")
 
 
-def _needed(package: str) -> Any:
-    """Import a package of the extra ``export``; InputError with the install command if it is missing."""
+def needed(package: str, extra: str = "export", what: str = "This format") -> Any:
+    """Import a package of an extra; InputError with the install command if it is missing."""
     import importlib
 
     try:
         return importlib.import_module(package)
     except ImportError:
-        raise InputError(f"This format needs the package {package}. Install it: pip install 'kinetruss[export]'") from None
+        raise InputError(f"{what} needs the package {package}. Install it: pip install 'kinetruss[{extra}]'") from None
 
 
 def _read(store: Store, name: str, more: Mapping[str, xr.Dataset]) -> xr.Dataset:
@@ -96,7 +96,7 @@ def _read(store: Store, name: str, more: Mapping[str, xr.Dataset]) -> xr.Dataset
 
 
 def _netcdf(store: Store, groups: list[str], path: Path, more: Mapping[str, xr.Dataset]) -> None:
-    _needed("netCDF4")
+    needed("netCDF4")
     mode: Literal["w", "a"] = "w"
     for group in groups:
         data = _read(store, group, more).load()
@@ -161,7 +161,7 @@ def _entries(data: xr.Dataset, path: Path) -> None:
 
 
 def _parquet(store: Store, groups: list[str], path: Path, more: Mapping[str, xr.Dataset]) -> None:
-    arrow, parquet = _needed("pyarrow"), _needed("pyarrow.parquet")
+    arrow, parquet = needed("pyarrow"), needed("pyarrow.parquet")
     word = arrow.dictionary(arrow.int32(), arrow.string())
     schema = arrow.schema(
         [

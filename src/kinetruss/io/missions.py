@@ -8,7 +8,8 @@ from pathlib import Path
 from typing import Any, get_args
 
 from kinetruss.errors import Fault, ModelError
-from kinetruss.io.yaml_text import MAX_SIZE, Tree, locate, parse, plain, read_text, refuse
+from kinetruss.io.records import MODEL_KEYS, record_of_file
+from kinetruss.io.yaml_text import MAX_SIZE, locate, parse, plain, read_text, refuse
 from kinetruss.model import Catalogue, Gear, Mission, Model, Motor, Of, ScrewStock, TubeStock, mission_faults, of_file
 from kinetruss.units import NUMBER, unit_of
 
@@ -111,34 +112,16 @@ def read_mission(path: str | Path, model: Model | None = None, *, max_size: int 
     ('M19', 'M20', 'M21')
     """
     path = Path(path)
-    try:
-        tree = _parsed(path, max_size)
-        try:
-            with of_file():
-                mission = Mission(**_rebased(plain(tree), path.parent))
-            if model is not None and (found := mission_faults(model, mission)):
-                raise ModelError(found)
-        except ModelError as error:
-            located = [locate(fault, tree) for fault in error.faults]
-            raise ModelError(sorted(located, key=lambda fault: (fault.line or 0, fault.column or 0))) from None
-    except ModelError as error:
-        raise ModelError(error.faults, str(path)) from None
-    return mission
 
+    def build(data: dict[str, Any]) -> Mission:
+        mission = Mission(**_rebased(data, path.parent))
+        if model is not None and (found := mission_faults(model, mission)):
+            raise ModelError(found)
+        return mission
 
-def _parsed(path: Path, max_size: int) -> Tree:
-    tree, faults = parse(path, read_text(path, max_size))
     start = "Start with kinetruss_mission: 1, then runs, groups, catalogues."
-    if tree is None:
-        raise refuse("is empty.", start, (1, 1))
-    if tree.table is None:
-        raise refuse("is not a table of names.", start, tree.place)
-    if model_keys := [key for key in ("kinetruss", "library", "nodes") if key in tree.table]:
-        place = (tree.keys or {}).get(model_keys[0])
-        raise refuse("is a model, not a mission.", f"Name the model first, then the mission. {start}", place, (model_keys[0],))
-    if faults:
-        raise ModelError(faults)
-    return tree
+    others = dict.fromkeys(MODEL_KEYS, ("is a model, not a mission.", "Name the model first, then the mission."))
+    return record_of_file(path, build, start, others, max_size)
 
 
 def _rebased(data: dict[str, Any], folder: Path) -> dict[str, Any]:

@@ -24,6 +24,7 @@ if TYPE_CHECKING:
     from kinetruss.report.readings import gauges as gauges, gauges_picture as gauges_picture, joints as joints
     from kinetruss.report.run_figures import figures as figures
     from kinetruss.report.run_summary import summary as summary
+    from kinetruss.report.study_page import study as study, study_figures as study_figures
     from kinetruss.report.variant_table import variants as variants
 
 __getattr__, __dir__, __all__ = late(__name__)

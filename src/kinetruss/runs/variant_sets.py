@@ -69,7 +69,7 @@ def spread(model: Model | str | Path, settings: Settings, max_size: int = MAX_SI
             raise InputError(f"{path} has a value twice: {', '.join(map(str, values))}. Leave one out.")
     count = math.prod(len(values) for values in settings.values())
     hold(count, "This grid of settings", "Give fewer values.", most=MOST_VARIANTS, of="variants")
-    base = _Base(model, max_size)
+    base = Base(model, max_size)
     chosen = [dict(zip(settings, values, strict=True)) for values in itertools.product(*settings.values())]
     names = _names(settings, chosen)
     return [
@@ -78,7 +78,7 @@ def spread(model: Model | str | Path, settings: Settings, max_size: int = MAX_SI
     ]
 
 
-class _Base:
+class Base:
     """The base of the variants; each set of library parameters is built once."""
 
     def __init__(self, model: Model | str | Path, max_size: int) -> None:

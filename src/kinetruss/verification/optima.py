@@ -105,7 +105,7 @@ def frequency_task(E: float, **options: Any) -> tuple[kt.Model, kt.OptimumTask]:
 
 
 def frequency_mass(E: float) -> Numbers:
-    """Least mass of the bars from six starts, kg; the residual; and how far frequencies are from limits, Hz, by their own analysis."""
+    """Least mass of the bars from six starts, kg; the residual; how far frequencies are from limits, Hz, by their analysis."""
     found = kt.design.optimise(*frequency_task(E, starts=6, seed=1))
     own = kt.flexible.frequencies(found.model, kt.runs.forces_at_rest(found.model), 4).frequency.values[0]
     return {
