@@ -174,7 +174,7 @@ def command(folder, *arguments):
 
 def wait_for(file, lines, process):
     """Until a file has so many lines, or the process has ended."""
-    for _ in range(600):
+    for _ in range(6000):
         if process.poll() is not None or (file.exists() and file.read_bytes().count(b"\n") >= lines):
             return
         time.sleep(0.05)
@@ -233,3 +233,26 @@ def test_faults_of_a_file_have_their_place(folder):
     process = command(folder, "task.yaml")
     assert "task.yaml:9:16: limits.stress.of" in process.communicate()[1]
     assert process.returncode == 2
+
+
+def test_limits_over_the_instants_of_a_motion_are_kept_at_all_of_them():
+    """The heaviest payload within a drive force: of 2,001 instants the worst is reached and named, and has the price."""
+    truss = kt.library.vgt.triangular().with_(
+        trajectories={"move": kt.Quintic(moves={"actuator": (2.0, 2.5)}, duration=2.0)}, gravity=(0, -9.81)
+    )
+    moving = {"analysis": "dynamics.inverse", "arguments": {"trajectory": "move", "samples": 2001}}
+
+    def heaviest(limit):
+        limits = {"force": {"of": "drive_force", "at_most": limit, "at_least": -limit}}
+        return kt.design.optimise(truss, {"mass": {"of": "nodes.B.mass", "between": (5, 20)}}, "-mass", limits, **moving)
+
+    found, wider = heaviest(100.0), heaviest(100.1)
+    motion = kt.kinematics.follow(found.model, "move", samples=2001)
+    force = kt.dynamics.inverse(found.model, motion).drive_force.values[:, 0]
+    assert np.abs(force).max() == pytest.approx(100, rel=1e-6)
+    (active,) = found.active
+    assert active.name.startswith("force of actuator at ")
+    at = float(active.name.split()[-2])
+    assert np.interp(at, motion.time.values, np.abs(force)) == pytest.approx(100, rel=1e-5)
+    assert found.objective - wider.objective == pytest.approx(0.1 * active.price, rel=1e-3)
+    assert found.certificate.first_order

@@ -39,7 +39,8 @@ class Block:
     def subject(self, k: int) -> str:
         """What value k is of."""
         own = self.of.name(int(self.kept[k]))
-        return " ".join(filter(None, [self.name, own and f"of {own}", self.case and f"in {self.case}"]))
+        own = own if own.startswith("at ") or not own else f"of {own}"
+        return " ".join(filter(None, [self.name, own, self.case and f"in {self.case}"]))
 
     @cached_property
     def family(self) -> NDArray[np.int64]:
@@ -92,4 +93,4 @@ class LimitRows(Sequence[Limit]):
         """Of all rows (rows,), from the values of the responses of all analyses."""
         own = (found[one.analysis][one.text].values.reshape(-1)[one.kept] for one in self.blocks)
         values = np.concatenate([np.zeros(0), *own])
-        return np.nan_to_num((values - self.limit) * self.sign_over_size, nan=UNKNOWN)
+        return np.asarray(np.nan_to_num((values - self.limit) * self.sign_over_size, nan=UNKNOWN))

@@ -36,8 +36,6 @@ STEP = 1e-3
 """Of differences of what a member bears, as a share of a variable or its range."""
 AT_ONCE = 20_000_000
 """Numbers of the seeds of responses that are differentiated together."""
-AMPERE = 3
-"""Its place in a dimension."""
 STILL = 1e-12
 """A change of a value below this, of itself, is none."""
 
@@ -184,8 +182,11 @@ class ModelFunction:
                         continue
                     faults += _unit_faults(name, side, limit, one.unit, text)
                     size = abs(float(limit)) or float(np.nanmax(np.abs(one.values))) or 1.0
-                    which = {"name": name, "case": case, "analysis": j, "text": i, "of": one, "kept": kept}
-                    blocks.append(Block(**which, limit=float(limit), size=size, sign=sign, unit=unit_given(limit) or one.unit))
+                    made = Block(
+                        name=name, case=case, analysis=j, text=i, of=one, kept=kept, limit=float(limit), size=size, sign=sign,
+                        unit=unit_given(limit) or one.unit,
+                    )  # fmt: skip
+                    blocks.append(made)
         if faults:
             raise ModelError(faults)
         return LimitRows(blocks)
@@ -214,9 +215,8 @@ def _unit_faults(name: str, side: str, limit: float, unit: str, text: str) -> It
 
 
 def _dimension(unit: str) -> tuple[int, ...]:
-    """Exponents of kg, m, s and rad in a unit, also of one as ``1/s``; responses do not tell amperes."""
-    sign, found = (-1, dimension_of(unit[2:])) if unit.startswith("1/") else (1, dimension_of(unit))
-    return tuple(sign * one for i, one in enumerate(found) if i != AMPERE)
+    """Exponents of a unit, also of one as ``1/s``."""
+    return tuple(-one for one in dimension_of(unit[2:])) if unit.startswith("1/") else dimension_of(unit)
 
 
 def _analysed(asked: _Asked, system: Any) -> Any:

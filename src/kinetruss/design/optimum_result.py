@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from functools import cached_property
 from typing import TYPE_CHECKING, Any
 
@@ -164,7 +164,7 @@ def made(
         unit=problem.unit,
         before=asked.values(problem.start)[0],
         certificate=proven,
-        active=tuple(_named(problem, one) for one in proven.active),
+        active=_active(problem, proven),
         history=tuple(asked.history),
         analyses=asked.analyses,
         computed=asked.computed,
@@ -175,6 +175,16 @@ def made(
         notes=tuple(notes),
         provenance=provenance(model, before=provenance(function.model)["model"]),
     )
+
+
+def _active(problem: Problem, proven: Certificate) -> tuple[ActiveLimit, ...]:
+    """What is reached; of neighbouring instants of one value the dearest, with the price of all."""
+    found: dict[Any, tuple[Active, float]] = {}
+    for one in proven.active:
+        key = (one.variable, one.side) if one.row < 0 else int(problem.family[one.row])
+        first, price = found.get(key, (one, 0.0))
+        found[key] = first, price + one.multiplier
+    return tuple(_named(problem, replace(one, multiplier=price)) for one, price in found.values())
 
 
 def _named(problem: Problem, one: Active) -> ActiveLimit:

@@ -110,13 +110,13 @@ class Entries:
 
     def name(self, k: int) -> str:
         """What entry k, of the values in a row, is of: ``M7 at 1.2 s``; empty for a single number."""
-        if not self.dims:
-            return ""
-        return _name_of(np.array(np.unravel_index(k, self.values.shape)), self.dims, self._at)
+        place = dict(zip(self.dims, np.unravel_index(k, self.values.shape), strict=True)) if self.dims else {}
+        at = f"at {self._at.labels[TIME][place[TIME]]:.6g} s" if TIME in place else ""
+        return " ".join(filter(None, [self.part(k), at]))
 
     def part(self, k: int) -> str:
         """The same without the instant."""
-        place = np.unravel_index(k, self.values.shape)
+        place = np.unravel_index(k, self.values.shape) if self.dims else ()
         return " ".join(self.labels[i][j] for i, j in enumerate(place) if self.dims[i] != TIME)
 
     def seeds(self, k: int) -> dict[str, NDArray[np.float64]]:

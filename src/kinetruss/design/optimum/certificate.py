@@ -45,9 +45,8 @@ class Active:
 class Certificate:
     """What is proven of a point.
 
-    residual : |grad f + sum m grad g| in variables that go from 0 to 1, of |grad f| or of |f|, the larger. excess : the largest of all limits, of their sizes.
-    complementarity : the largest m |g|/f. active : limits and bounds reached, the dearest first. first_order : whether the
-    conditions hold. vertex : as many limits with a multiplier as variables; then no small change can be better.
+    residual : |grad f + sum m grad g| in variables that go from 0 to 1, of |grad f| or of |f|, the larger. excess : the largest
+    of all limits, of their sizes. complementarity : the largest m |g|/f. active : limits and bounds reached, the dearest first.
     """
 
     residual: float

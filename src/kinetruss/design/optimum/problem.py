@@ -62,7 +62,7 @@ class Function(Protocol):
 
 @dataclass(frozen=True, kw_only=True)
 class Problem:
-    """Variables (n), limits (m), and the function of both. families : see `family`; objective, unit : what is made small, in words."""
+    """Variables (n), limits (m), and the function of both. families : see `family`. objective, unit : what is least."""
 
     variables: Sequence[Variable]
     limits: Sequence[Limit]
