@@ -52,7 +52,7 @@ if TYPE_CHECKING:
         StoreError as StoreError,
         UnitError as UnitError,
     )
-    from kinetruss.gradients.gradient import (
+    from kinetruss.gradients.derivatives import (
         Response as Response,
         check_gradient as check_gradient,
         gradient as gradient,

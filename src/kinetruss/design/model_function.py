@@ -14,9 +14,8 @@ from kinetruss.design.optimum.problem import Problem, Variable
 from kinetruss.design.own_limits import NAMES, beside, slopes
 from kinetruss.design.vibration_point import VibrationPoint
 from kinetruss.errors import Fault, InputError, ModelError, few
-from kinetruss.flexible import frequencies
 from kinetruss.gradients import Entries, read_entries
-from kinetruss.gradients.gradient import POINTS
+from kinetruss.gradients.analyses import POINTS, point_of
 from kinetruss.gradients.points import gradients_at
 from kinetruss.gradients.varied import varied
 from kinetruss.io import set_values
@@ -30,8 +29,8 @@ if TYPE_CHECKING:
     from numpy.typing import NDArray
 
 OBJECTIVE = "least"
-ANALYSES = {**POINTS, frequencies: VibrationPoint}
-"""Analyses whose results have gradients."""
+FREQUENCIES = "flexible.frequencies"
+"""Of those that meet, each keeps the derivative along its own shape."""
 STEP = 1e-3
 """Of differences of what a member bears, as a share of a variable or its range."""
 AT_ONCE = 20_000_000
@@ -221,17 +220,13 @@ def _dimension(unit: str) -> tuple[int, ...]:
 
 def _analysed(asked: _Asked, system: Any) -> Any:
     """The analysis of a system at its solution."""
+    point = VibrationPoint if asked.analysis == FREQUENCIES else point_of(asked.analysis)
     try:
-        return ANALYSES[_analyses()[asked.analysis]](system, **asked.arguments)
+        return point(system, **asked.arguments)
     except TypeError as error:
         raise ModelError(
             [Fault(("arguments",), f"{asked.analysis} does not take them: {error}.", "See its arguments.")]
         ) from None
-
-
-def _analyses() -> dict[str, Any]:
-    """The analyses whose results have gradients, by name."""
-    return {f"{one.__module__.split('.')[1]}.{one.__name__}": one for one in ANALYSES}
 
 
 def _asked(model: Model, task: OptimumTask) -> list[_Asked]:
@@ -242,10 +237,8 @@ def _asked(model: Model, task: OptimumTask) -> list[_Asked]:
     def ask(place: tuple[str, ...], name: str, one: OptimumLimit | None, case: str | None) -> None:
         analysis = (one.analysis if one is not None else None) or task.analysis
         arguments = {**task.arguments, **(one.arguments if one is not None else {})}
-        if analysis not in _analyses():
-            faults.append(
-                Fault((*place, "analysis"), f"results of {analysis!r} have no gradients.", nearest(analysis, _analyses()))
-            )
+        if analysis not in POINTS:
+            faults.append(Fault((*place, "analysis"), f"results of {analysis!r} have no gradients.", nearest(analysis, POINTS)))
             return
         if case is not None:
             arguments["load_case"] = case

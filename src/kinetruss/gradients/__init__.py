@@ -5,7 +5,7 @@ from typing import TYPE_CHECKING
 from kinetruss.late import late
 
 if TYPE_CHECKING:
-    from kinetruss.gradients.gradient import (
+    from kinetruss.gradients.derivatives import (
         Check as Check,
         Response as Response,
         check_gradient as check_gradient,

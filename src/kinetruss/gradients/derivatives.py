@@ -10,39 +10,18 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 import xarray as xr
 
-from kinetruss.dynamics import inverse, simulate
 from kinetruss.errors import AnalysisError, InputError
-from kinetruss.flexible import frequencies
-from kinetruss.gradients.along import followed, inverted, ran
-from kinetruss.gradients.buckling_point import BucklingPoint
+from kinetruss.gradients.analyses import name_of, point_of
 from kinetruss.gradients.differences import FOUR
-from kinetruss.gradients.equilibrium_point import EquilibriumPoint
-from kinetruss.gradients.frequencies_point import FrequenciesPoint
-from kinetruss.gradients.linear_point import LinearPoint
 from kinetruss.gradients.points import gradients_at
 from kinetruss.gradients.responses import Read, read_response
-from kinetruss.gradients.run_point import RunPoint
 from kinetruss.gradients.varied import Varied, Wrt, varied
-from kinetruss.kinematics import follow
 from kinetruss.mechanics import compile
 from kinetruss.model import Model
-from kinetruss.runs import run
-from kinetruss.statics import buckling, equilibrium, linear
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray
 
-POINTS: dict[Callable[..., Any], Callable[..., Any]] = {
-    linear: LinearPoint,
-    follow: followed,
-    inverse: inverted,
-    run: ran,
-    equilibrium: EquilibriumPoint,
-    buckling: BucklingPoint,
-    frequencies: FrequenciesPoint,
-    simulate: RunPoint,
-}
-"""What gives the gradients of the results of each analysis."""
 ALIKE = 1e-8
 """Gradients of what is equally large that differ by less than this fraction of the largest derivative are the same."""
 
@@ -72,16 +51,13 @@ class Response:
     arguments: dict[str, Any] = field(default_factory=dict)
 
     def __init__(self, text: str, analysis: Callable[..., Any], model: Model, **arguments: Any) -> None:
-        if analysis not in POINTS:
-            known = ", ".join(f"{one.__module__.split('.')[1]}.{one.__name__}" for one in POINTS)
-            given = getattr(analysis, "__name__", analysis)
-            raise InputError(f"Results of {given!r} have no responses yet. Take one of {known}.")
+        name_of(analysis)
         for name, value in (("text", text), ("analysis", analysis), ("model", model), ("arguments", arguments)):
             object.__setattr__(self, name, value)
 
     @cached_property
     def _read(self) -> Read:
-        point = POINTS[self.analysis](compile(self.model), **self.arguments)
+        point = point_of(self.analysis)(compile(self.model), **self.arguments)
         return read_response(self.text, point.data(), getattr(point, "more", None))
 
     @property
@@ -143,8 +119,8 @@ def value_and_gradient(of: Response | Sequence[Response], wrt: Wrt) -> tuple[Any
 def _found(several: Sequence[Response], by: Varied, single: bool) -> tuple[Any, xr.DataArray]:
     first = several[0]
     # along a run the marks that tell the numbers of a system from each other would grow
-    system = compile(first.model) if first.analysis is simulate else by.system
-    point = POINTS[first.analysis](system, **first.arguments)
+    system = compile(first.model) if name_of(first.analysis) == "dynamics.simulate" else by.system
+    point = point_of(first.analysis)(system, **first.arguments)
     data, more = point.data(), getattr(point, "more", None)
     read = [read_response(one.text, data, more) for one in several]
     for one, own in zip(several, read, strict=True):
