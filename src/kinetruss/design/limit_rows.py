@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import cached_property
 from typing import TYPE_CHECKING, overload
 
@@ -88,6 +88,10 @@ class LimitRows(Sequence[Limit]):
         """The block of a row, and its place in it."""
         i = int(np.searchsorted(self.first, k, side="right")) - 1
         return self.blocks[i], k - int(self.first[i])
+
+    def at(self, found: Sequence[Sequence[Entries]]) -> LimitRows:
+        """The same, with the names that values have in other responses: of other instants."""
+        return LimitRows([replace(one, of=found[one.analysis][one.text]) for one in self.blocks])
 
     def excess(self, found: Sequence[Sequence[Entries]]) -> NDArray[np.float64]:
         """Of all rows (rows,), from the values of the responses of all analyses."""

@@ -58,6 +58,9 @@ class ModelFunction:
     def __init__(self, model: Model, task: OptimumTask) -> None:
         self.model, self.task = model, task
         self.paths, variables = _variables(model, task)
+        self.own = [one.name for one in variables].index(task.least) if task.least in task.variables else None
+        """The variable that is itself made small."""
+        self.unit = "" if self.own is None else variables[self.own].unit
         self.asked = _asked(model, task)
         self._last: tuple[bytes, list[list[Entries]]] | None = None
         start = np.array([one.start for one in variables])
@@ -71,16 +74,20 @@ class ModelFunction:
         """The model with these values of the variables."""
         return set_values(self.model, {path: float(one) for own, one in zip(self.paths, p, strict=True) for path in own})
 
+    def limits_at(self, p: NDArray[np.float64]) -> LimitRows:
+        """The limits with the names of what they are on at these values of the variables."""
+        return self.limits.at(self._entries(p))
+
     def values(self, p: NDArray[np.float64], rows: NDArray[np.int64] | None) -> tuple[float, NDArray[np.float64]]:
         """Objective, and excess of limits."""
         found = self._entries(p)
-        return self._objective(found), self.limits.excess(found)[slice(None) if rows is None else rows]
+        return self._objective(found, p), self.limits.excess(found)[slice(None) if rows is None else rows]
 
     def gradients(self, p: NDArray[np.float64], rows: NDArray[np.int64]) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
         """Derivatives of both by the variables, in SI."""
         by = varied(self.model_at(p), self.paths)
         slope = np.zeros((len(rows), len(p)))
-        of_objective = np.zeros(len(p))
+        of_objective = np.array([float(k == self.own) for k in range(len(p))])
         for j, asked in enumerate(self.asked):
             point = _analysed(asked, by.system)
             data = point.data()
@@ -131,12 +138,12 @@ class ModelFunction:
     def idle(self, p: NDArray[np.float64]) -> list[str]:
         """The variables that change neither objective nor any limit."""
         here = self._entries(p)
-        before, left = np.append(self.limits.excess(here), self._objective(here)), []
+        before, left = np.append(self.limits.excess(here), self._objective(here, p)), []
         for k, one in enumerate(self.problem.variables):
             moved = p.copy()
             moved[k] += 0.01 * (one.upper - one.lower) * (1 if p[k] < 0.5 * (one.lower + one.upper) else -1)
             there = self._entries(moved)
-            after = np.append(self.limits.excess(there), self._objective(there))
+            after = np.append(self.limits.excess(there), self._objective(there, moved))
             if np.all(np.abs(after - before) <= STILL * np.maximum(np.abs(before), 1e-3 * np.abs(before).max())):
                 left.append(one.name)
         return left
@@ -154,7 +161,9 @@ class ModelFunction:
             self._last = (key, found)
         return self._last[1]
 
-    def _objective(self, found: list[list[Entries]]) -> float:
+    def _objective(self, found: list[list[Entries]], p: NDArray[np.float64]) -> float:
+        if self.own is not None:
+            return float(p[self.own])
         for asked, read in zip(self.asked, found, strict=True):
             for (name, _), one in zip(asked.texts, read, strict=True):
                 if name == OBJECTIVE:
@@ -254,7 +263,8 @@ def _asked(model: Model, task: OptimumTask) -> list[_Asked]:
                 faults.append(Fault(place, f"the model has no load case called {case!r}.", nearest(case, known)))
             else:
                 ask(("limits", name), name, one, case)
-    ask((), OBJECTIVE, None, (task.load_cases or (None,))[0] if not faults else None)
+    if task.least not in task.variables:
+        ask((), OBJECTIVE, None, (task.load_cases or (None,))[0] if not faults else None)
     if faults:
         raise ModelError(list(dict.fromkeys(faults)))
     return list(found.values())

@@ -155,7 +155,7 @@ def made(
     notes: Sequence[str], proof: Proof | None, relaxed: float | None, seconds: float,
 ) -> Optimum:  # fmt: skip
     """The result at a point p (n,)."""
-    problem, model = function.problem, function.model_at(p)
+    problem, model = replace(function.problem, limits=function.limits_at(p)), function.model_at(p)
     return Optimum(
         model=model,
         task=function.task,
@@ -230,7 +230,7 @@ def _unit(task: OptimumTask, name: str) -> str:
 
 def contradiction_words(function: ModelFunction, kept: Sequence[int], nearest: Any, worst: float) -> str:
     """Which limits exclude each other, and how to mend it."""
-    problem = function.problem
+    problem = replace(function.problem, limits=function.limits_at(nearest))
     names = [f"{one.subject} at {'most' if one.sign > 0 else 'least'} {quantity(one.limit, one.unit)}" for one in
              (problem.limits[row] for row in kept)]  # fmt: skip
     at = few([f"{one.name} {number(float(value))}" for one, value in zip(problem.variables, nearest, strict=True)], 6)

@@ -112,7 +112,8 @@ class OptimumLimit(Record):
 class OptimumTask(Record):
     """An optimum that is asked for: the least of a response, by variables, within limits.
 
-    least : the response that is made small, as ``mass`` or ``max(abs(drive_force))``. variables, limits : by name.
+    least : the response that is made small, as ``mass`` or ``max(abs(drive_force))``, or a variable, by its name.
+    variables, limits : by name.
     model : the model file, beside this one; from Python a model is given.
     analysis : ``statics.linear``, ...; arguments : of it; load_cases : for all limits that name none; by default the loads of
         the model as they are.
