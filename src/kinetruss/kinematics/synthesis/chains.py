@@ -47,8 +47,9 @@ class Chains:
 
     def __getitem__(self, at: Any) -> Self:
         """Some of them."""
-        own: dict[str, Any] = {one.name: getattr(self, one.name) for one in fields(self)}
-        return type(self)(**{name: value if value is None else value[at] for name, value in own.items()})
+        own = {one.name: getattr(self, one.name) for one in fields(self)}
+        some: dict[str, Any] = {name: value if value is None else value[at] for name, value in own.items()}
+        return type(self)(**some)
 
     def __len__(self) -> int:
         return len(self.a)

@@ -33,6 +33,9 @@ FLAT = 0.05
 APART = 1e-3
 """Least distance of two pins, of the size of the linkage."""
 
+DIGITS = 15
+"""Digits of a place, of the size of the linkage: those behind are round-off."""
+
 STEPS = 90
 """Samples of the motion that is followed, between and beside those at the positions."""
 
@@ -145,6 +148,7 @@ def _model_of(one: Chains, angles: NDArray[np.float64], extra: Mapping[str, comp
     links = [one.a[0], *([] if one.along is not None else [one.r[0]])]
     if min(*links, *(abs(p - q) for p, q in combinations(coupler.values(), 2))) < APART * one.size[0]:
         return None
+    digits = DIGITS - math.ceil(math.log10(one.size[0]))
     start, travel = float(np.angle(np.exp(1j * angles[0]))), float(angles[-1] - angles[0])
     run = ConstantRate(rates={"motor": math.copysign(2 * math.pi / SECONDS, travel)}, duration=SECONDS) if closed else Quintic(
         moves={"motor": (start, start + travel)}, duration=SECONDS
@@ -157,7 +161,7 @@ def _model_of(one: Chains, angles: NDArray[np.float64], extra: Mapping[str, comp
     rocker = {"rocker": Bar(ends=("D", "C"))} if one.along is None else {}
     places = {"A": complex(one.A[0])} | coupler | ({"D": complex(one.D[0])} if one.along is None else {})
     return Model(
-        nodes={name: (place.real, place.imag) for name, place in places.items()},
+        nodes={name: (round(place.real, digits), round(place.imag, digits)) for name, place in places.items()},
         bars={"crank": Bar(ends=("A", "B"))} | rocker,
         links={"coupler": Link(nodes=_around(coupler))},
         drives={"motor": AngleDrive("crank")},

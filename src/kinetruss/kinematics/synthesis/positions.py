@@ -34,8 +34,8 @@ MOST = 40_000
 MISS = 1e-8
 """Largest error of a linkage through positions, of the size of the task."""
 
-LARGE = 8.0
-"""Longest link, of the size of the task."""
+SHORT, LARGE = 0.1, 8.0
+"""Shortest and longest link, of the size of the task: short ones turn errors of their length into large ones of the positions."""
 
 CLASS = 5.0
 """Transmission angles that differ by less than about this count as equal, deg: the smaller linkage is better then."""
@@ -218,7 +218,8 @@ def _sifted(
     """The linkages without defects, the best of each sort, and what became of the others."""
     d, e = task.d[None], task.e[None]
     total = len(pairs)
-    kept = np.isfinite(pairs.p) & (pairs.side != 0) & (any_size | (pairs.size < LARGE))
+    shortest = np.min([pairs.a, pairs.h] if pairs.along is not None else [pairs.a, pairs.h, pairs.r], axis=0)
+    kept = np.isfinite(pairs.p) & (pairs.side != 0) & (any_size | ((pairs.size < LARGE) & (shortest > SHORT)))
     pairs = pairs[kept]
     fit = len(pairs)
     coupler = first[kept, None] * e / e[:, :1]
@@ -245,7 +246,7 @@ def _sifted(
         if one is not None and one.error < MISS * task.size:
             found.append(one)
     told = [
-        (total - fit, f"links longer than {LARGE:g} times the task"),
+        (total - fit, f"links shorter than {SHORT:g} or longer than {LARGE:g} of the task"),
         (fit - branch, "change their branch"),
         (branch - order, "meet them in another order or part on the way"),
         (order - good, f"transmission angles below {math.degrees(math.asin(limit)):.0f} deg"),
