@@ -8,7 +8,7 @@ import { metres } from "./readout.js";
 import { thumb } from "./thumb.js";
 
 const MOST = 5; // positions
-const POINTS = 32; // of a path that was drawn
+const POINTS = 24; // of a path that was drawn
 const CLOSES = 18; // pixels between first and last point of a path that is meant to close
 const DEGREE = Math.PI / 180;
 const TOOLS = ["positions", "path"];
@@ -128,8 +128,8 @@ export class Ask {
       el("div", { class: "row" }, tool("positions", "Draw positions"), tool("path", "Draw a path"), button("Type a position", () => this.type(), { disabled: this.positions.length === MOST }), button("Clear", () => this.clear(), { "aria-label": "clear the task" })),
       this.positions.map((row, k) => this.position(row, k)), this.path.length || !this.positions.length ? this.points() : null,
       el("div", { class: "row" }, check("four-bars", this.fourBars, (on) => (this.fourBars = on)), check("slider-cranks", this.sliders, (on) => (this.sliders = on)), button("Find linkages", () => this.find(), { disabled: few || Boolean(this.asking) })),
-      this.told ? el("p", { role: "status", class: this.rows.length ? "faint" : "banner warning" }, this.told) : null,
-      el("div", { class: "cards" }, this.rows.map((row, k) => this.card(row, k))));
+      el("div", { class: "cards" }, this.rows.map((row, k) => this.card(row, k))),
+      this.told ? el("p", { role: "status", class: this.rows.length ? "faint" : "banner warning" }, this.told) : null);
   }
 
   position(row, k) {
@@ -139,8 +139,8 @@ export class Ask {
       else this.draw.tell(`${i === 2 ? "An angle is a number of degrees" : "A place is a length: 0.1, 50 mm"}. Got ${value ?? "nothing"}.`, true);
       this.changed();
     };
-    return el("div", { class: "row" }, el("b", {}, k + 1), ["x", "y"].map((axis, i) => field(axis, Number(row[i].toPrecision(6)), (value) => set(i, value, metres), { size: 6, name: `${axis} of position ${k + 1}` })),
-      field("deg", Number((row[2] / DEGREE).toPrecision(6)), (value) => set(2, value, (one) => Number(one) * DEGREE), { size: 5, name: `angle of position ${k + 1}` }),
+    return el("div", { class: "row" }, el("b", {}, k + 1), ["x", "y"].map((axis, i) => field(axis, Number(row[i].toPrecision(5)), (value) => set(i, value, metres), { size: 5, name: `${axis} of position ${k + 1}` })),
+      field("deg", Number((row[2] / DEGREE).toPrecision(4)), (value) => set(2, value, (one) => Number(one) * DEGREE), { size: 4, name: `angle of position ${k + 1}` }),
       button("×", () => { this.positions.splice(k, 1); this.changed(); }, { "aria-label": `remove position ${k + 1}` }));
   }
 

@@ -288,6 +288,7 @@ export class Draw extends Talk {
     this.canvas.rubber();
     this.rail.rebuild();
     this.task.rebuild();
+    this.starters.rebuild();
   }
 
   toggleTheme() {

@@ -8,6 +8,7 @@ export class Starters {
   constructor(draw) {
     Object.assign(this, { draw, rows: null, away: false });
     this.strip = el("section", { class: "starters", "aria-label": "drawings to begin with", hidden: true });
+    this.all = button("All of them", () => this.all.setAttribute("aria-pressed", String(this.strip.classList.toggle("all"))), { "aria-pressed": "false" });
     this.cards = el("div", { class: "cards" });
     this.node = section("Begin from", el("p", { class: "faint" }, "A copy in place of this drawing; it can be undone."), this.cards);
     this.node.open = false;
@@ -19,7 +20,7 @@ export class Starters {
   }
 
   rebuild() {
-    this.strip.hidden = !this.empty || this.away || !this.rows;
+    this.strip.hidden = !this.empty || this.away || !this.rows || this.draw.task.takes(this.draw.tool);
     if (this.empty && !this.away) this.fetch();
   }
 
@@ -31,7 +32,7 @@ export class Starters {
     if (!rows) return;
     this.rows = rows;
     this.cards.replaceChildren(...rows.map((row) => this.card(row)));
-    this.strip.replaceChildren(el("header", {}, el("b", {}, "Begin from one of these, or draw"), button("×", () => this.hide(), { "aria-label": "hide the drawings to begin with", title: "Hide (they stay in the panel)" })),
+    this.strip.replaceChildren(el("header", {}, el("b", {}, "Begin from one of these, or draw"), this.all, button("×", () => this.hide(), { "aria-label": "hide the drawings to begin with", title: "Hide (they stay in the panel)" })),
       el("div", { class: "cards" }, rows.map((row) => this.card(row))));
     this.rebuild();
   }

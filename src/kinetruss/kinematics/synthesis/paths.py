@@ -260,7 +260,7 @@ def _proved(
     seen: list[NDArray[np.complex128]] = []
     for error, _, one, course in sorted(fits, key=lambda fit: (max(fit[0], enough), -fit[1])):
         mark = np.array([one.A[0], one.D[0] if one.along is None else one.along[0], one.a[0] + 1j * one.h[0], one.p[0]])
-        if any(abs(mark - other).max() < 0.02 for other in seen):
+        if any(abs(mark - other).max() < 0.15 for other in seen):
             continue
         outer = one.moved_to(centre, size)
         linkage = proved(outer, 0, course, path, None, closed=closed, extra={})

@@ -37,6 +37,9 @@ MISS = 1e-8
 SHORT, LARGE = 0.1, 8.0
 """Shortest and longest link, of the size of the task: short ones turn errors of their length into large ones of the positions."""
 
+ALIKE = 0.4
+"""Linkages whose pivots and lengths differ by less, in parts of the size of the task, resemble each other."""
+
 CLASS = 5.0
 """Transmission angles that differ by less than about this count as equal, deg: the smaller linkage is better then."""
 
@@ -257,11 +260,11 @@ def _sifted(
 
 
 def _distinct(pairs: Chains, ranked: NDArray[np.intp], count: int) -> list[int]:
-    """The first of the ranked that differ in a pivot, or in where it is joined, by more than a tenth of the task."""
+    """The first of the ranked that differ in a pivot, or a length."""
     chosen: list[int] = []
     marks = np.stack([pairs.A, pairs.D, pairs.a + 1j * pairs.r, pairs.h + 1j * abs(pairs.p)], -1)
     for at in ranked:
-        if all(abs(marks[at] - marks[other]).max() > 0.25 for other in chosen):
+        if all(abs(marks[at] - marks[other]).max() > ALIKE for other in chosen):
             chosen.append(int(at))
             if len(chosen) == count:
                 break
