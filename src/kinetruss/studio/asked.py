@@ -8,8 +8,9 @@ from kinetruss.errors import InputError
 from kinetruss.io.emitting import plain_model
 from kinetruss.kinematics import follow, synthesis
 from kinetruss.studio.copies import name_like
-from kinetruss.studio.edits import MEMBERS, Data
+from kinetruss.studio.edits import MEMBERS, Data, place_of
 from kinetruss.studio.small_pictures import small_picture
+from kinetruss.units import parse
 
 if TYPE_CHECKING:
     from collections.abc import Sequence
@@ -17,6 +18,12 @@ if TYPE_CHECKING:
     from kinetruss.kinematics.synthesis import Linkage, Linkages
     from kinetruss.kinematics.synthesis.found import Kind
     from kinetruss.model import Model
+
+ADDING = "the choice of a"
+"""What the step says that adds a linkage, before its kind."""
+
+NEAR = 1e-9
+"""Distance below which nodes stand at one place, of the size of the linkage."""
 
 PLACES = 61
 """Places of a path that a small picture shows."""
@@ -66,14 +73,16 @@ def with_linkage(data: Data, linkage: Linkage) -> tuple[Data, str]:
     ------
     InputError : the drawing is spatial.
     """
-    more, used = plain_model(linkage.model), data.get("nodes") or {}
-    if used and len(next(iter(_places(used)))) != 2:
+    more = plain_model(linkage.model)
+    there = [[parse(value, "length") for value in place_of(data, name)] for name in data.get("nodes") or {}]
+    if there and len(there[0]) != 2:
         raise InputError("A linkage lies in the plane; this drawing is in space. Begin a planar one.")
     found = dict(data)
     nodes: dict[str, str] = {}
     for name, place in more["nodes"].items():
         nodes[name] = name_like(found, "nodes", name) if name in (found.get("nodes") or {}) else name
-        found["nodes"] = {**(found.get("nodes") or {}), nodes[name]: place}
+        meets = any(max(map(abs, _apart(place, other))) < NEAR * linkage.size for other in there)
+        found["nodes"] = {**(found.get("nodes") or {}), nodes[name]: {"at": place, "coincident": True} if meets else place}
     found["fixed"] = _held(data.get("fixed"), [nodes[name] for name in more["fixed"]])
     for node, one in (more.get("supports") or {}).items():
         found["supports"] = {**(found.get("supports") or {}), nodes[node]: one}
@@ -93,8 +102,8 @@ def with_linkage(data: Data, linkage: Linkage) -> tuple[Data, str]:
     return found, members["crank"]
 
 
-def _places(nodes: dict[str, Any]) -> list[Any]:
-    return [entry.get("at", [0, 0]) if isinstance(entry, dict) else entry for entry in nodes.values()]
+def _apart(a: Sequence[float], b: Sequence[float]) -> list[float]:
+    return [x - y for x, y in zip(a, b, strict=True)]
 
 
 def _held(fixed: Any, nodes: list[str]) -> Any:
@@ -105,7 +114,4 @@ def _held(fixed: Any, nodes: list[str]) -> Any:
 
 
 def _free(name: str, taken: set[str]) -> str:
-    number = 2
-    while (new := name if number == 2 and name not in taken else f"{name}{number}") in taken:
-        number += 1
-    return new
+    return next(new for new in (name, *(f"{name}{number}" for number in range(2, len(taken) + 3))) if new not in taken)

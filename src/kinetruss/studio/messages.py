@@ -360,11 +360,13 @@ def ask(
 
 @message
 def put(session: Session, number: Annotated[int, Field(ge=0, le=1000)]) -> Answer:
-    """One of the linkages that were found, into the drawing."""
+    """One of the linkages that were found, into the drawing, in place of the one put there just before."""
     if number >= len(session.asked):
         raise InputError("This linkage is not known any more. Ask again.")
+    if session.drawing.state.words.startswith(asked.ADDING) and session.drawing.past:
+        session.drawing.step(-1)
     data, crank = asked.with_linkage(session.data, session.asked[number])
-    return session.take(data, f"adding a {session.asked[number].kind}", {"member": crank})
+    return session.take(data, f"{asked.ADDING} {session.asked[number].kind}", {"member": crank})
 
 
 @message

@@ -35,7 +35,7 @@ MISS = 1e-8
 """Largest error of a linkage through positions, of the size of the task."""
 
 SHORT, LARGE = 0.1, 8.0
-"""Shortest and longest link, of the size of the task: short ones turn errors of their length into large ones of the positions."""
+"""Shortest and longest link, of the size of the task: small errors of short ones become large ones of the positions."""
 
 ALIKE = 0.4
 """Linkages whose pivots and lengths differ by less, in parts of the size of the task, resemble each other."""
