@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING
 from kinetruss.late import late
 
 if TYPE_CHECKING:
+    from kinetruss.kinematics import synthesis as synthesis
     from kinetruss.kinematics.assembly import assembly_modes as assembly_modes
     from kinetruss.kinematics.checking import check as check, notes as notes
     from kinetruss.kinematics.chosen_freedoms import conditioning as conditioning, freedoms as freedoms

@@ -8,6 +8,7 @@ import logging
 import secrets
 from collections.abc import Callable, Iterable
 from typing import Any
+from urllib.parse import quote
 
 from fastapi import FastAPI, Response, WebSocket, WebSocketDisconnect
 from starlette.concurrency import run_in_threadpool
@@ -19,6 +20,7 @@ from kinetruss.errors import KinetrussError
 from kinetruss.studio.messages import Session
 from kinetruss.studio.requested_runs import Busy
 from kinetruss.studio.session import Answer
+from kinetruss.studio.taken import File
 from kinetruss.viewer import live_page
 
 PAGES = 16
@@ -92,10 +94,13 @@ def application(new: Callable[[str], Session], drawing: Session, token: str, hos
     live, draw = (live_page(title, sorted(hosts), draw=kind).encode() for kind in (False, True))
     pages: dict[WebSocket, Session | None] = {}
 
-    def answered(given: str, found: str | bytes | None) -> Response:
+    def answered(given: str, found: str | bytes | File | None) -> Response:
         if not _same(given, token) or found is None:
             words = "This result is not kept any more." if _same(given, token) else STALE
             return PlainTextResponse(words, status_code=404)
+        if isinstance(found, File):
+            kept = {"Content-Disposition": f"attachment; filename*=UTF-8''{quote(found.name)}"}
+            return Response(found.content, media_type=found.media, headers=HEADERS | kept)
         return HTMLResponse(found, headers=HEADERS)
 
     @app.get("/{given}/")

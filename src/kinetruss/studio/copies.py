@@ -61,7 +61,7 @@ def _imaged(data: Data, nodes: Sequence[str], image: Callable[[list[float]], lis
         if met:
             twin[name] = met[0]
             continue
-        twin[name] = _name_like(found, "nodes", name)
+        twin[name] = name_like(found, "nodes", name)
         entry = data["nodes"][name]
         found["nodes"][twin[name]] = {**entry, "at": there} if isinstance(entry, dict) else there
     return _with_members(found, twin)
@@ -79,7 +79,7 @@ def _with_members(data: Data, twin: Mapping[str, str]) -> Data:
             if frozenset(there) in joined or there[0] == there[1]:
                 continue
             joined.add(frozenset(there))
-            found[table] = {**found[table], _name_like(found, table, name): joining(table, entry, there)}
+            found[table] = {**found[table], name_like(found, table, name): joining(table, entry, there)}
     fixed = data.get("fixed")
     if isinstance(fixed, dict):
         found["fixed"] = {**fixed, **{twin[name]: axes for name, axes in fixed.items() if name in twin}}
@@ -138,7 +138,7 @@ def _prefixed(more: Data, prefix: str) -> Data:
     return found
 
 
-def _name_like(data: Data, table: str, name: str) -> str:
+def name_like(data: Data, table: str, name: str) -> str:
     """A free name that begins as another one does."""
     stem = name.rstrip("0123456789") or name
     return new_name(data, table, stem if stem != name or table in MEMBERS else f"{name}_")

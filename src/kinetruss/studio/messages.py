@@ -13,12 +13,13 @@ from pydantic import BaseModel, ConfigDict, Field, ValidationError, create_model
 
 from kinetruss.errors import InputError, KinetrussError, ModelError
 from kinetruss.model import nearest
-from kinetruss.studio import copies, drawing, edits, requested_runs
+from kinetruss.studio import asked, beginnings, copies, drawing, edits, requested_runs
 from kinetruss.studio.member_kinds import switched
 from kinetruss.studio.new_parts import made, with_analysis
 from kinetruss.studio.requested_runs import Finite, FrameList, Name, Values
 from kinetruss.studio.session import LARGE, Answer, Desk
 from kinetruss.studio.shown import numbers, over_of
+from kinetruss.studio.taken import Form
 
 Names = Annotated[tuple[Name, ...], Field(max_length=100_000)]
 Vector = Annotated[list[Finite], Field(min_length=2, max_length=3)]
@@ -29,6 +30,9 @@ Places = Annotated[dict[Name, Place], Field(max_length=100_000)]
 Arguments = dict[Name, Any]
 Placed = Annotated[dict[Name, Any], Field(max_length=20)]
 Part = Literal["active", "beam", "bar", "link", "angle_spring", "body", "run"]
+Positions = Annotated[tuple[Annotated[list[Coordinate], Field(min_length=3, max_length=3)], ...], Field(max_length=5)]
+PathPoints = Annotated[tuple[Annotated[list[Coordinate], Field(min_length=2, max_length=2)], ...], Field(max_length=5000)]
+Kinds = Annotated[tuple[Literal["four-bar", "slider-crank"], ...], Field(min_length=1, max_length=2)]
 Positive = Annotated[Finite, Field(ge=0)]
 Ends = Annotated[list[Name], Field(min_length=2, max_length=2)]
 Path = Annotated[list[Name], Field(min_length=1, max_length=12)]
@@ -43,8 +47,8 @@ Act = Callable[..., "Answer"]
 MESSAGES: dict[str, tuple[type[BaseModel], Act]] = {}
 """Name -> the record of its arguments, and what does it."""
 
-BESIDE = ("run", "running", "stop")
-"""Messages that do not wait for those before them: a run is computed beside what else is done."""
+BESIDE = ("run", "running", "stop", "ask", "take")
+"""Messages that do not wait for those before them: what takes long is computed beside what else is done."""
 
 
 def message(act: Act) -> Act:
@@ -334,6 +338,56 @@ def over(session: Session, show: Name) -> Answer:
     if not session.draw:
         raise InputError("This message is for a drawing.")
     return over_of(session, show)
+
+
+# Linkages, drawings to begin with, files to take away.
+
+
+@message
+def ask(
+    session: Session, positions: Positions = (), path: PathPoints = (), kinds: Kinds = ("four-bar", "slider-crank"),
+    closed: bool = False, point: Positive = 0.0,
+) -> Answer:  # fmt: skip
+    """Linkages through positions (x, y, angle; m and rad), or along a path (x, y), best first, and what cannot be reached.
+
+    point : distance of the second point of a position along its angle, m.
+    """
+    found = asked.asked(positions, path, kinds, closed=closed, point=point)
+    with session.lock:
+        session.asked = found.found
+    return {"kind": "linkages", "rows": asked.rows(found), "message": found.message}
+
+
+@message
+def put(session: Session, number: Annotated[int, Field(ge=0, le=1000)]) -> Answer:
+    """One of the linkages that were found, into the drawing, in place of the one put there just before."""
+    if number >= len(session.asked):
+        raise InputError("This linkage is not known any more. Ask again.")
+    if session.drawing.state.words.startswith(asked.ADDING) and session.drawing.past:
+        session.drawing.step(-1)
+    data, crank = asked.with_linkage(session.data, session.asked[number])
+    return session.take(data, f"{asked.ADDING} {session.asked[number].kind}", {"member": crank})
+
+
+@message
+def starters(session: Session) -> Answer:
+    """Drawings to begin with, and their small pictures."""
+    return {"kind": "starters", "rows": list(beginnings.pictures()), "empty": not session.data.get("nodes")}
+
+
+@message
+def begin(session: Session, name: Name) -> Answer:
+    """A copy of a drawing to begin with, in place of the drawing; it can be undone."""
+    return session.write(beginnings.starter(name)[1], f"beginning from {name}")
+
+
+@message
+def take(session: Session, form: Form, run: Words = "") -> Answer:
+    """Make a file of the drawing; it is at ``result/`` and the number in the answer. run : whose motion and result it has."""
+    with session.lock:
+        model, data, text, revision = session.model, session.data, session.drawing.state.text, session.drawing.revision
+    name = model.title or ("drawing" if session.file is None else session.file.stem)
+    return session.results.make(form, model, data, text, name, run, revision)
 
 
 # What is kept.

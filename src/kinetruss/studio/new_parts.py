@@ -152,7 +152,7 @@ def made(
             raise InputError("Pick the nodes of the body first, two or more: Shift-click them, or Shift-drag a box.")
         found, table, name = added_entry(data, "bodies", "body", {"nodes": carried, "mass": "1 kg"})
         return (_in_space(found, name, carried) if len(carried) > 3 else found), table, name
-    return added_entry(data, "runs", "run", _run(drives))
+    return added_entry(data, "runs", "run", new_run(drives))
 
 
 def with_analysis(data: Data, name: str, analysis: str) -> Data:
@@ -319,7 +319,7 @@ def _angle(data: Data, nodes: Sequence[str], members: Sequence[str]) -> dict[str
     return {"kind": "hinge", "axis": [hinge, nodes[0]], "start": start, "end": end}
 
 
-def _run(drives: Mapping[str, Any]) -> dict[str, Any]:
+def new_run(drives: Mapping[str, Any]) -> dict[str, Any]:
     """A motion of all drives within two seconds: a tenth longer, or a turn of 30 degrees; without drives, the equilibrium."""
     if not drives:
         return {"analysis": "statics.equilibrium"}

@@ -6,8 +6,9 @@ import logging
 import math
 import threading
 import time
-from collections.abc import Mapping, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, field
+from functools import partial
 from itertools import pairwise
 from typing import TYPE_CHECKING, Annotated, Any
 
@@ -23,10 +24,13 @@ from kinetruss.model.runs import MISSION
 from kinetruss.runs import MissionRun, RunResult
 from kinetruss.runs.doubts import remarks
 from kinetruss.studio.poses import LEAST, number, range_of
+from kinetruss.studio.taken import File, Form, taken
 from kinetruss.viewer import page, scene
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray
+
+    from kinetruss.studio.edits import Data
 
 
 Finite = Annotated[float, Field(allow_inf_nan=False, ge=-1e15, le=1e15)]
@@ -276,6 +280,7 @@ class Work:
     """A run that is computed beside the messages.
 
     what : the items that are done, of all of them (0: not known yet). answer : what the page gets at its end.
+    form : of the file that is made; empty for a run.
     """
 
     name: str
@@ -286,6 +291,7 @@ class Work:
     busy: Busy = field(default_factory=Busy, repr=False)
     stopped: bool = False
     answer: dict[str, Any] | None = None
+    form: str = ""
     thread: threading.Thread | None = field(default=None, repr=False)
 
     def progress(self, done: int, total: int) -> None:
@@ -306,6 +312,7 @@ class Work:
             "what": self.what,
             "note": self.busy.compiling(),
             "revision": self.revision,
+            "form": self.form,
         }
 
 
@@ -313,7 +320,7 @@ class Results:
     """The run that is computed, and the pages of the last results, by number."""
 
     def __init__(self) -> None:
-        self.pages: dict[int, str] = {}
+        self.pages: dict[int, str | File] = {}
         self.count = 0
         self.work: Work | None = None
         self.left: list[Work] = []
@@ -327,18 +334,33 @@ class Results:
         InputError : no such run, one that cannot be done from the page, or another one is computed.
         """
         check(model, name)
+        run = model.runs[name]
+        pairs = run.analysis == MISSION  # how many there are is known once they are spread
+        work = Work(name, revision, *((0, "pairs") if pairs else (run.samples, "samples")))
+        return self._begin(work, partial(self._result, work, model))
+
+    def make(self, form: Form, model: Model, data: Data, text: str, name: str, run: str, revision: int = 0) -> dict[str, Any]:
+        """Begin to make a file of a drawing; the record of its end if that comes soon. The arguments are those of `taken`.
+
+        Raises
+        ------
+        InputError : another one, or a run, is computed.
+        """
+        work = Work(name, revision, 0, "pictures", form=form)
+        return self._begin(work, lambda: self._made(work, taken(form, model, data, text, name, run, work.progress)))
+
+    def _begin(self, work: Work, do: Callable[[], dict[str, Any]]) -> dict[str, Any]:
         with self.lock:
             if self.work is not None and self.work.answer is None:
-                raise InputError(f"The run {self.work.name!r} is being computed. Stop it, or wait for its end.")
+                what = "file" if self.work.form else "run"
+                raise InputError(f"The {what} {self.work.name!r} is being computed. Stop it, or wait for its end.")
             self.left = [one for one in self.left if one.answer is None]
             if len(self.left) >= LEFT:
                 raise InputError(
                     f"Stopped runs are still busy ({len(self.left)}). Wait for the end of their step, then try again."
                 )
-            run = model.runs[name]
-            pairs = run.analysis == MISSION  # how many there are is known once they are spread
-            work = self.work = Work(name, revision, *((0, "pairs") if pairs else (run.samples, "samples")))
-        work.thread = threading.Thread(target=self._do, args=(work, model), daemon=True)
+            self.work = work
+        work.thread = threading.Thread(target=self._do, args=(work, do), daemon=True)
         work.thread.start()
         work.thread.join(SOON)
         return work.record()
@@ -363,17 +385,17 @@ class Results:
             self.left.append(work)
         return {"kind": "stopped", "name": work.name, "done": work.done, "total": work.total}
 
-    def _do(self, work: Work, model: Model) -> None:
+    def _do(self, work: Work, do: Callable[[], dict[str, Any]]) -> None:
         try:
-            found = self._result(work, model)
+            found = do()
         except StoppedError:
             found = {"kind": "stopped"}
         except KinetrussError as error:
             found = {"kind": "error", "message": str(error)}
         except Exception as error:
             log.exception("a run of the page failed")
-            found = {"kind": "error", "message": f"The run could not be done: {type(error).__name__}."}
-        work.answer = found | {"name": work.name, "revision": work.revision}
+            found = {"kind": "error", "message": f"This could not be done: {type(error).__name__}."}
+        work.answer = found | {"name": work.name, "revision": work.revision, "form": work.form}
 
     def _result(self, work: Work, model: Model) -> dict[str, Any]:
         """Do the run and keep its page."""
@@ -386,7 +408,10 @@ class Results:
         number = None if shown is None else self._kept(page(scene(shown), title=f"{model.title or 'Drawing'}: {title}"), work)
         return {"kind": "ran", "words": "\n".join(filter(None, words)), "number": number}
 
-    def _kept(self, text: str, work: Work) -> int:
+    def _made(self, work: Work, file: File) -> dict[str, Any]:
+        return {"kind": "taken", "number": self._kept(file, work), "file": file.name, "bytes": len(file.content)}
+
+    def _kept(self, text: str | File, work: Work) -> int:
         with self.lock:
             if work.stopped:
                 raise StoppedError

@@ -23,6 +23,7 @@ from kinetruss.studio.requested_runs import NAME, KeyFrame, Results, frames_of, 
 if TYPE_CHECKING:
     from numpy.typing import NDArray
 
+    from kinetruss.kinematics.synthesis import Linkage
     from kinetruss.studio.edits import Data
 
 SMALL, LARGE = 262_144, 4_000_000
@@ -59,6 +60,7 @@ class Desk:
         self.drawing = Drawing(self.original, dim if model is None else model.dim)
         self.case: str | None = None
         self.frames: Sequence[KeyFrame] = ()
+        self.asked: tuple[Linkage, ...] = ()  # found for the last task
         self.kept = True  # False: the pose has changed since the changes were kept
         self.unkept = self.remark = self.key = ""
         self.offered = drafts.drawing() if drafts is not None and draw else None

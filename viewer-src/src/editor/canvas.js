@@ -20,7 +20,7 @@ export class Canvas {
   constructor(draw) {
     this.draw = draw;
     const layer = (name) => svg("g", { class: name });
-    this.layers = Object.fromEntries(["picture", "grid", "bodies", "curve", "apart", "bars", "marks", "diagram", "nodes", "names", "rubber"].map((name) => [name, layer(name)]));
+    this.layers = Object.fromEntries(["picture", "grid", "bodies", "curve", "apart", "task", "bars", "marks", "diagram", "nodes", "names", "rubber"].map((name) => [name, layer(name)]));
     this.node = svg("svg", { class: "drawing", tabindex: 0, role: "application", "aria-label": "drawing; arrow keys move the cursor, Enter draws there, Tab leaves" }, ...Object.values(this.layers));
     this.names = new Labels();
     this.legend = el("div", { class: "legend", hidden: true });
@@ -75,6 +75,7 @@ export class Canvas {
     this.marks(state);
     this.draw.picture.place(this.layers.picture);
     this.draw.curves.place(this.layers.curve);
+    this.draw.task.place(this.layers.task);
     this.rubber();
   }
 

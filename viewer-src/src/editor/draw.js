@@ -2,6 +2,7 @@
 
 import { el } from "../dom.js";
 import { Talk } from "../talk.js";
+import { Ask } from "./ask.js";
 import { Camera } from "./camera.js";
 import { Canvas } from "./canvas.js";
 import { Curves } from "./curves.js";
@@ -13,7 +14,9 @@ import { Groups } from "./groups.js";
 import { Picture } from "./picture.js";
 import { Properties } from "./properties.js";
 import { Readout } from "./readout.js";
+import { Starters } from "./starters.js";
 import { Status } from "./status.js";
+import { Take } from "./take.js";
 import { Text } from "./text.js";
 import { Tools } from "./tools.js";
 import { ToolRail } from "./rail.js";
@@ -22,7 +25,7 @@ import { Whole } from "./whole.js";
 const OFTEN = 6; // moves of a drag after which the curve may follow
 const QUIET = new Set(["running"]); // asked again and again, beside what is drawn
 // what does not change the drawing; while anything else is computed, nothing is shown of the state before
-const ASIDE = { curve: "Computing the path ...", over: "Computing the diagram ...", run: "Starting the run ...", stop: "Stopping the run ...", save: "Saving ...", keep: "Saving ...", versions: "Reading the versions ...", picture: "Saving the picture ..." };
+const ASIDE = { curve: "Computing the path ...", over: "Computing the diagram ...", run: "Starting the run ...", stop: "Stopping the run ...", ask: "Looking for linkages ...", starters: "Drawing the pictures ...", take: "Making the file ...", save: "Saving ...", keep: "Saving ...", versions: "Reading the versions ...", picture: "Saving the picture ..." };
 
 export function startDraw(root) {
   const sheet = document.createElement("style");
@@ -56,11 +59,14 @@ export class Draw extends Talk {
     this.text = new Text(this);
     this.entries = new Entries(this);
     this.files = new Files(this);
+    this.task = new Ask(this);
+    this.starters = new Starters(this);
+    this.takeAway = new Take(this);
     this.rail = new ToolRail(this);
     this.tools = new Tools(this);
     const panel = el("aside", { class: "controls sketch", "aria-label": "drawing" }, el("div", { class: "head" }, this.banner, this.files.offer, this.status.node), el("div", { class: "parts" }, this.status.details, this.properties.node,
-      this.entries.runsNode, this.entries.node, this.groups.node, this.whole.node, this.curves.node, this.picture.node, this.text.node, this.files.node));
-    root.replaceChildren(this.rail.node, el("main", {}, el("div", { class: "sheetpane" }, this.canvas.node, this.canvas.legend, this.diagram.told, this.doing, this.readout.node, this.spoken), panel));
+      this.starters.node, this.task.node, this.entries.runsNode, this.entries.node, this.groups.node, this.whole.node, this.curves.node, this.picture.node, this.text.node, this.takeAway.node, this.files.node));
+    root.replaceChildren(this.rail.node, el("main", {}, el("div", { class: "sheetpane" }, this.canvas.node, this.starters.strip, this.canvas.legend, this.diagram.told, this.doing, this.readout.node, this.spoken), panel));
     root.ownerDocument.addEventListener("keydown", (event) => this.rail.key(event));
   }
 
@@ -170,7 +176,7 @@ export class Draw extends Talk {
     this.canvas.rebuild();
     if (first || answer.dim !== dim) this.fit();
     this.curves.spoil();
-    for (const part of [this.rail, this.status, this.properties, this.whole, this.groups, this.entries, this.curves, this.diagram, this.text, this.files]) part.rebuild();
+    for (const part of [this.rail, this.status, this.properties, this.whole, this.groups, this.entries, this.curves, this.diagram, this.text, this.files, this.starters, this.task, this.takeAway]) part.rebuild();
     if (running) this.entries.take(running);
     window.kinetruss.ready = true;
     this.root.dataset.state = "ready";
@@ -281,6 +287,8 @@ export class Draw extends Talk {
     this.tools.cancelAct();
     this.canvas.rubber();
     this.rail.rebuild();
+    this.task.rebuild();
+    this.starters.rebuild();
   }
 
   toggleTheme() {

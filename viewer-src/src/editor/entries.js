@@ -131,6 +131,7 @@ export class Entries {
 
   /** The run of a page before this one. */
   take(running) {
+    if (running?.form) return; // of a file
     if (running?.kind === "running") this.hear(running);
     else if (running?.kind === "ran") this.ran[running.name] = running;
   }

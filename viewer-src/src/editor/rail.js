@@ -8,6 +8,8 @@ const TOOLS = [
   ["pick", "Pick", "v", "Pick and move: drag nodes, Shift adds to what is picked, Shift-drag draws a box (V)"],
   ["node", "Node", "n", "A node where you click (N)"],
   ["bar", "Bar", "b", "A bar from press to release, or from click to click; it makes the nodes it needs (B)"],
+  ["positions", "Positions", "q", "Positions that a linkage shall take: press at a point of the body, release along its direction (Q)"],
+  ["path", "Path", "w", "A path that a linkage shall draw: press, draw, release (W)"],
 ];
 
 export class ToolRail {
@@ -67,6 +69,7 @@ export class ToolRail {
   rebuild() {
     const { draw } = this, { state, camera } = draw;
     for (const [name, one] of this.tools) press(one, draw.tool === name);
+    for (const name of ["positions", "path"]) this.tools.get(name).hidden = state?.dim === 3;
     press(this.several, draw.several);
     press(this.names, draw.shown.names);
     press(this.force, draw.shown.force);

@@ -61,6 +61,7 @@ export class Tools {
     if (draw.picture.placing) return draw.picture.click(place);
     const hit = draw.canvas.hit(place, touch);
     if (draw.tool === "pick") this.begin(hit, place, event);
+    else if (draw.task.takes(draw.tool)) this.act = draw.task.begin(draw.tool, place, this.target(place, touch));
     else this.act = { kind: draw.tool, start: place, from: this.target(place, touch) };
   }
 
@@ -92,6 +93,7 @@ export class Tools {
       draw.rubber = { box: [...act.start, ...place] };
       draw.canvas.rubber();
     } else if (act.kind === "drag") this.drag(place);
+    else if (act.kind === "ask") draw.task.move(act, place, this.target(place, event.pointerType === "touch"));
     else if (act.kind === "bar" && act.from) {
       const to = this.target(place, event.pointerType === "touch");
       draw.rubber = to && { from: act.from.point, to: to.point };
@@ -139,6 +141,7 @@ export class Tools {
     if (act?.kind === "pan" && act.clear) draw.pick(null);
     else if (act?.kind === "drag" && act.moved) draw.dragged();
     else if (act?.kind === "box") draw.pickBox(act.start, place);
+    else if (act?.kind === "ask") draw.task.end(act);
     else if (act?.kind === "node" && act.from) this.drawNode(act.from);
     else if (act?.kind === "bar" && act.from) this.drawBar(act, place, event.pointerType === "touch");
     draw.canvas.rubber();
@@ -265,6 +268,7 @@ export class Tools {
     const target = hit?.type === "node" ? { node: hit.name, point: draw.at(hit.name) } : { point: draw.cursor };
     if (draw.tool === "node") this.drawNode(target);
     else if (draw.tool === "bar") this.clickBar(target);
+    else if (draw.task.takes(draw.tool)) draw.task.enter(draw.tool, target.point);
     else if (event.shiftKey && hit) draw.toggle(hit);
     else draw.pick(hit);
   }
