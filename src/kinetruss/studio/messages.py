@@ -13,12 +13,12 @@ from pydantic import BaseModel, ConfigDict, Field, ValidationError, create_model
 
 from kinetruss.errors import InputError, KinetrussError, ModelError
 from kinetruss.model import nearest
-from kinetruss.studio import copies, drawing, edits, requested_runs
+from kinetruss.studio import copies, drawing, edits, sweeps
 from kinetruss.studio.member_kinds import switched
 from kinetruss.studio.new_parts import made, with_analysis
 from kinetruss.studio.requested_runs import Finite, FrameList, Name, Values
 from kinetruss.studio.session import LARGE, Answer, Desk
-from kinetruss.studio.shown import numbers, over_of
+from kinetruss.studio.shown import film_of, numbers, over_of
 
 Names = Annotated[tuple[Name, ...], Field(max_length=100_000)]
 Vector = Annotated[list[Finite], Field(min_length=2, max_length=3)]
@@ -32,6 +32,7 @@ Part = Literal["active", "beam", "bar", "link", "angle_spring", "body", "run"]
 Positive = Annotated[Finite, Field(ge=0)]
 Ends = Annotated[list[Name], Field(min_length=2, max_length=2)]
 Path = Annotated[list[Name], Field(min_length=1, max_length=12)]
+Rate = Annotated[float, Field(gt=0, le=1e6)]
 Count = Annotated[int, Field(ge=1, le=200)]
 Samples = Annotated[int, Field(ge=2, le=2001)]
 Number = Annotated[int, Field(ge=1)]
@@ -325,7 +326,16 @@ def stop(session: Session) -> Answer:
 @message
 def curve(session: Session, node: Name, drive: Name, low: Coordinate | None = None, high: Coordinate | None = None) -> Answer:
     """The path of a node and the force of a drive along the range of that drive, m or rad."""
-    return {"kind": "curve"} | requested_runs.curve(*session.closed(), node, drive, low, high)
+    return {"kind": "curve"} | sweeps.curve(*session.closed(), node, drive, low, high)
+
+
+@message
+def sweep(session: Session, drives: Names, rate: Rate | None = None, at_speed: bool = False) -> Answer:
+    """Drives through their range, to be played: positions, forces and reactions of every sample.
+
+    rate : of the first, rad/s or m/s. at_speed : with inertia at this rate; else every pose at rest.
+    """
+    return film_of(session, drives, rate, at_speed)
 
 
 @message

@@ -267,7 +267,7 @@ class Desk:
             return self.model, self.pose.position
         found = self.drawing.found
         if found.model is None or found.position is None or found.apart:
-            raise InputError("No curve: the drawing is no closed model yet.")
+            raise InputError("No motion: the drawing is no closed model yet.")
         return found.model, found.position
 
     def follow(self, frames: Sequence[KeyFrame], samples: int) -> bytes:
