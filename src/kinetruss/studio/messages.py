@@ -32,7 +32,6 @@ Part = Literal["active", "beam", "bar", "link", "angle_spring", "body", "run"]
 Positive = Annotated[Finite, Field(ge=0)]
 Ends = Annotated[list[Name], Field(min_length=2, max_length=2)]
 Path = Annotated[list[Name], Field(min_length=1, max_length=12)]
-Rate = Annotated[float, Field(gt=0, le=1e6)]
 Count = Annotated[int, Field(ge=1, le=200)]
 Samples = Annotated[int, Field(ge=2, le=2001)]
 Number = Annotated[int, Field(ge=1)]
@@ -108,16 +107,20 @@ class Session(Desk):
 
 @message
 def move(
-    session: Session, values: Values | None = None, places: Places | None = None, fine: bool = False, drag: int | None = None
-) -> Answer:
+    session: Session, values: Values | None = None, places: Places | None = None, fine: bool = False, drag: int | None = None,
+    keep: bool = False,
+) -> Answer:  # fmt: skip
     """Drives to new values (m, rad) from the last good pose, or nodes to new places (m or text with units).
 
     fine : also compute slow results (motors and mobility of large models). drag : those with one number are one step of undo.
+    keep : of nodes of a drawing: all lengths stay, drives follow, and the nodes come as near as they can.
     """
     if (values is None) == (places is None):
         raise InputError("This message is not understood. Give values of drives, or places of nodes.")
     if values is not None:
         return session.move(values, fine)
+    if keep:
+        return session.carry(places or {}, drag)
     return session.take(edits.moved(session.data, places or {}), f"moving {_list(places)}", drag=drag)
 
 
@@ -330,12 +333,18 @@ def curve(session: Session, node: Name, drive: Name, low: Coordinate | None = No
 
 
 @message
-def sweep(session: Session, drives: Names, rate: Rate | None = None, at_speed: bool = False) -> Answer:
+def sweep(session: Session, drives: Names, rate: Typed | None = None, at_speed: bool = False) -> Answer:
     """Drives through their range, to be played: positions, forces and reactions of every sample.
 
-    rate : of the first, rad/s or m/s. at_speed : with inertia at this rate; else every pose at rest.
+    rate : of the first, rad/s or m/s or text with a unit. at_speed : with inertia at this rate; else every pose at rest.
     """
     return film_of(session, drives, rate, at_speed)
+
+
+@message
+def put(session: Session, values: Values) -> Answer:
+    """A drawing in the pose of other drive values, m or rad, reached continuously from the one that is drawn."""
+    return session.put(values)
 
 
 @message

@@ -252,9 +252,11 @@ def drawing_of(session: Shown, light: bool = False) -> Record:
     }
 
 
-def film_of(session: Shown, drives: Sequence[str], rate: float | None, at_speed: bool) -> bytes:
+def film_of(session: Shown, drives: Sequence[str], rate: float | str | None, at_speed: bool) -> bytes:
     """A motion of drives through their range: names and words in the header, float32 arrays over time after it."""
     model, position = session.closed()
+    if rate is not None and drives:
+        rate = parse(rate, "angular rate" if turns(model.all_drives.get(drives[0])) else "speed")
     header, arrays = sweeps.film(sweeps.swept(model, position, drives, rate=rate), model, at_speed)
     blocks = {name: np.ascontiguousarray(values, "<f4") for name, values in arrays.items()}
     table = {name: list(values.shape) for name, values in blocks.items()}
