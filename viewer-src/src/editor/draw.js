@@ -20,6 +20,7 @@ import { Sweep } from "./sweep.js";
 import { Text } from "./text.js";
 import { Tools } from "./tools.js";
 import { ToolRail } from "./rail.js";
+import { Welcome } from "./welcome.js";
 import { Whole } from "./whole.js";
 
 const OFTEN = 6; // moves of a drag after which the curve may follow
@@ -52,6 +53,7 @@ export class Draw extends Talk {
     this.diagram = new Diagram(this);
     this.readout = new Readout(this);
     this.play = new Play(this);
+    this.welcome = new Welcome(this);
     this.canvas = new Canvas(this);
     this.status = new Status(this);
     this.properties = new Properties(this);
@@ -64,7 +66,7 @@ export class Draw extends Talk {
     this.tools = new Tools(this);
     const panel = el("aside", { class: "controls sketch", "aria-label": "drawing" }, el("div", { class: "head" }, this.banner, this.files.offer, this.status.node), el("div", { class: "parts" }, this.status.details, this.properties.node,
       this.entries.runsNode, this.entries.node, this.groups.node, this.whole.node, this.curves.node, this.picture.node, this.text.node, this.files.node));
-    root.replaceChildren(this.rail.node, el("main", {}, el("div", { class: "sheet" }, el("div", { class: "sheetpane" }, this.canvas.node, this.canvas.legend, this.diagram.told, this.doing, this.readout.node, this.spoken), this.play.node), panel));
+    root.replaceChildren(this.rail.node, el("main", {}, el("div", { class: "sheet" }, el("div", { class: "sheetpane" }, this.canvas.node, this.welcome.node, this.canvas.legend, this.diagram.told, this.doing, this.readout.node, this.spoken), this.play.node), panel));
     root.ownerDocument.addEventListener("keydown", (event) => this.rail.key(event));
   }
 
@@ -197,7 +199,7 @@ export class Draw extends Talk {
     this.canvas.rebuild();
     if (first || answer.dim !== dim) this.fit();
     this.curves.spoil();
-    for (const part of [this.rail, this.status, this.properties, this.whole, this.groups, this.entries, this.curves, this.diagram, this.text, this.files]) part.rebuild();
+    for (const part of [this.rail, this.welcome, this.status, this.properties, this.whole, this.groups, this.entries, this.curves, this.diagram, this.text, this.files]) part.rebuild();
     this.play.spoil();
     if (running) this.entries.take(running);
     window.kinetruss.ready = true;

@@ -6,12 +6,12 @@ import { Player } from "../player.js";
 import { plot } from "../plot.js";
 import { TimeBar } from "../timebar.js";
 import { button, choice, field, refill } from "./fields.js";
+import { nextSteps } from "./next_steps.js";
 import { usual } from "./sweep.js";
 
 const ALL = "all drives";
 const FEW_PATHS = 6; // moving nodes up to which all have their path, else those that are picked
 const SWINGS = 2; // bars whose swing is told
-const OFFERS = 3; // bars that are offered to be turned
 const TOLD = 100; // ms between two changes of the numbers in the panel while it plays
 const NEAR_END = 0.01; // of all samples, within which the reason why it goes no further is marked
 const WAYS = { round: "Full turn", back: "There and back", once: "Once" };
@@ -206,24 +206,8 @@ export class Play extends Player {
   say() {
     const { film, draw } = this, { state } = draw;
     if (film) return refill(this.words, ...this.found());
-    const offers = this.offers(state);
     const words = this.failed || (state.drives.length || !state.members.length ? "" : "Nothing is driven yet.");
-    refill(this.words, words ? el("span", {}, `${words} `) : null, offers.length ? el("span", {}, "Turn it: ") : null,
-      offers.map(([bar, node]) => button(`${bar} about ${node}`, () => this.drive(bar), { "aria-label": `drive ${bar} about ${node}` })));
-  }
-
-  /** Bars that one click makes turn: those with one end that is held. */
-  offers(state) {
-    if (state.dim !== 2 || !(state.mobility?.undriven > 0) || !Object.keys(state.fixed).length) return [];
-    const held = (node) => (state.fixed[node] || "").length === 2;
-    const driven = new Set(state.drives.map(({ bar }) => bar));
-    return state.members.filter(({ name, ends }) => held(ends[0]) !== held(ends[1]) && !driven.has(name) && name in (state.data.bars || {}))
-      .map(({ name, ends }) => [name, ends.find(held)]).slice(0, OFFERS);
-  }
-
-  async drive(bar) {
-    const answer = await this.draw.properties.set(["drives", this.draw.properties.free("drives", "motor")], { kind: "angle", bar });
-    if (answer.kind === "drawing") this.toggle();
+    refill(this.words, words ? el("span", {}, `${words} `) : null, nextSteps(draw, this));
   }
 
   found() {
@@ -237,7 +221,7 @@ export class Play extends Player {
     const most = held.reduce((best, size, k) => (Number.isFinite(size) && (size <= this.limit * (1 + 1e-6)) && size > (held[best] || 0) ? k : best), 0);
     const { unit } = film.drives[film.lead];
     const torque = held[most] > 0 ? ` Largest ${unit === "rad" ? "torque" : "force"}${this.cut ? " away from the dead point" : ""} ${quantity(held[most], unit === "rad" ? "N m" : "N")} at ${quantity(film.value(most), unit)}.` : "";
-    return [...ends, el("span", {}, `${spans.slice(0, 3).join("; ")}.${torque} ${this.swings().join(" ")}`)];
+    return [...ends, el("span", {}, `${spans.slice(0, 3).join("; ")}.${torque} ${this.swings().join(" ")} `), nextSteps(this.draw, this)];
   }
 
   /** How far bars swing that have one held end and are not driven. */

@@ -149,6 +149,7 @@ export class Tools {
     this.pointers.delete(event.pointerId);
     this.act = null;
     draw.rubber = null;
+    if (act?.kind === "drag") draw.pointed = null;
     if (act?.kind === "pan" && act.clear) draw.pick(null);
     else if (act?.kind === "drag" && act.moved) this.release(act);
     else if (act?.kind === "box") draw.pickBox(act.start, place);
