@@ -26,6 +26,9 @@ if TYPE_CHECKING:
 LIGHT = 1e-4
 """Weight of nodes that follow, against that of those that are dragged."""
 
+CLOSING = 3
+"""Largest number of steps by which the rows are closed on the way."""
+
 ROUNDS = 12
 """Largest number of steps towards a place; the next move of the pointer goes on from there."""
 
@@ -62,8 +65,9 @@ class Grip:
     def to(self, places: Mapping[str, Sequence[float]]) -> Floats:
         """The pose (n_nodes, dim), m, with nodes as near to these places as the lengths allow, on the branch of the start.
 
-        Gauss-Newton steps: the squared distances of the dragged nodes, linearised on the rows, with a small weight on the
-        steps of all other nodes; then the rows are closed.
+        Steps of gradients: of the squared distances of the dragged nodes on the linearised rows, with a small weight on the
+        steps of all other nodes. Each is as long as the change of the last one says (Barzilai and Borwein, 1988, eq. 5),
+        then the rows are closed.
 
         Raises
         ------
@@ -81,6 +85,7 @@ class Grip:
         pulled = np.isfinite(held)
         weight = np.where(pulled, 1.0, LIGHT)
         H, wanted = diags(weight).tocsc(), system.row_value
+        share, last = 1.0, np.zeros(len(pulled))
         for _ in range(ROUNDS if pulled.any() else 0):
             J = constraint_jacobian(system, x)[:, system.free]
             pull = np.where(pulled, held - x.reshape(-1)[system.free], 0.0)
@@ -88,7 +93,13 @@ class Grip:
             far = float(np.abs(dx).max(initial=0.0))
             if not np.isfinite(far) or far <= STILL * self.size:
                 break
-            x.reshape(-1)[system.free] += dx * min(1.0, LONGEST * self.size / far)
+            change = float(last @ (weight * (last - dx)))
+            if change > 0:
+                share *= float(np.clip(last @ (weight * last) / change, 0.1, 4.0))
+            share = min(share, LONGEST * self.size / far)
+            x.reshape(-1)[system.free] += share * dx
+            x, _ = projected(system, x, wanted, self.size, CLOSING, self.rows) if len(wanted) else (x, 0.0)
+            last = dx
         found, worst = projected(system, x, wanted, self.size, rows=self.rows) if len(wanted) else (x, 0.0)
         if worst <= CLOSED * self.size and np.isfinite(found).all():
             self.x = found

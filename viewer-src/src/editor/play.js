@@ -19,7 +19,7 @@ const WAYS = { round: "Full turn", back: "There and back", once: "Once" };
 export class Play extends Player {
   constructor(draw) {
     super();
-    Object.assign(this, { draw, film: null, drawn: null, chosen: "", atSpeed: false, rate: null, told: 0, touch: matchMedia("(hover: none)").matches });
+    Object.assign(this, { draw, film: null, drawn: null, way: "round", chosen: "", atSpeed: false, rate: null, told: 0, touch: matchMedia("(hover: none)").matches });
     this.controls = el("div", { class: "row" });
     this.aside = el("span", { class: "row", hidden: true }, button("Keep this pose", () => this.keep(), { title: "Draw the mechanism in the pose shown" }),
       button("Back", () => this.home(), { title: this.hint("Back to the pose that is drawn", "Escape"), "aria-label": "back to the drawn pose" }));
@@ -69,13 +69,26 @@ export class Play extends Player {
     if (film.kind !== "sweep" || film.revision !== draw.state.revision) return this.refuse(film.message || "");
     const { value } = this, inside = this.node.contains(document.activeElement);
     Object.assign(this, { film, key: "", failed: "" });
+    film.number = this.loads = (this.loads || 0) + 1;
     this.setLead(film);
     this.way = !film.whole && this.way === "round" ? "back" : film.whole && !this.asked ? "round" : this.way;
     this.time = new TimeBar(this);
     this.rebuild();
     this.goTo(value === undefined ? film.here : this.nearest(value));
+    this.reveal();
     if (inside) this.time.button.focus();
     return true;
+  }
+
+  /** Show all that moves, if a part of it goes out of sight. */
+  reveal() {
+    const { draw, film } = this, { camera } = draw;
+    draw.canvas.resize();
+    const places = Array.from({ length: film.frames }, (_, k) => film.nodes.map((_, node) => film.position(k, node))).flat();
+    const away = ([x, y]) => x < 0 || y < 0 || x > camera.width || y > camera.height;
+    if (!places.some((place) => away(camera.project(place)))) return;
+    camera.fit(places);
+    draw.canvas.update();
   }
 
   refuse(message) {
@@ -197,6 +210,8 @@ export class Play extends Player {
     const rate = film && this.atSpeed ? field("Rate", this.rate ?? (turning ? "60 deg/s" : ""), (typed) => other({ rate: typeof typed === "number" ? `${typed} ${turning ? "deg/s" : "m/s"}` : typed }), { hint: turning ? "60 deg/s" : "m/s", size: 8, name: "rate of the drive" }) : null;
     refill(this.controls, bar, drive, way, inertia, rate, this.aside);
     this.aside.hidden = !this.away;
+    if (film) this.graph.before(this.words);
+    else this.controls.append(this.words); // beside the button: the picture keeps its size
     this.graph.hidden = !film;
     this.say();
     this.curve();
@@ -205,14 +220,23 @@ export class Play extends Player {
   /** Words below the bar: what it needs, why it goes no further, how far it swings. */
   say() {
     const { film, draw } = this, { state } = draw;
+    const key = [state.revision, film?.number, film && this.ended(), this.limit, this.failed].join();
+    if (key === this.saidOf) return; // a button that is pressed stays
+    this.saidOf = key;
     if (film) return refill(this.words, ...this.found());
     const words = this.failed || (state.drives.length || !state.members.length ? "" : "Nothing is driven yet.");
     refill(this.words, words ? el("span", {}, `${words} `) : null, nextSteps(draw, this));
   }
 
+  /** Whether the first or the last sample is shown, or nearly. */
+  ended() {
+    const last = this.film.frames - 1, near = Math.max(1, NEAR_END * last);
+    return [this.index <= near, this.index >= last - near];
+  }
+
   found() {
-    const { film } = this, last = film.frames - 1, near = Math.max(1, NEAR_END * last);
-    const ends = film.ends.map((words, k) => words && el("b", { class: Math.abs(this.index - k * last) <= near ? "here" : "" }, `${words} `));
+    const { film } = this, last = film.frames - 1, here = this.ended();
+    const ends = film.ends.map((words, k) => words && el("b", { class: here[k] ? "here" : "" }, `${words} `));
     const spans = film.swept.map((name) => {
       const d = film.drives.findIndex((one) => one.name === name), { unit } = film.drives[d];
       return film.whole ? `${name}: full turn` : `${name}: ${quantity(film.value(0, d), unit)} to ${quantity(film.value(last, d), unit)}`;

@@ -282,10 +282,10 @@ export class Tools {
   nudge(way, whole) {
     const { draw } = this, { camera } = draw, { node, number } = this.grabbed;
     if (draw.play.away) return this.back();
-    const to = [...draw.at(node)];
+    const to = [...((draw.waiting && this.grabbed.to) || draw.at(node))]; // pressed again before the answer: further
     camera.across.forEach((axis, k) => (to[axis] = clean(to[axis] + (way[k] * camera.grid) / (whole ? 1 : 4))));
     draw.drag({ [node]: draw.cut(to) }, number, true);
-    this.grabbed.moved = true;
+    Object.assign(this.grabbed, { to, moved: true });
   }
 
   /** Take a node into the hand of the keys, or let it go. */

@@ -13,7 +13,7 @@ const turn = () => line("M10 76a20 20 0 0 1 30 -10m-9 -5l10 5l-6 9", "turn");
 const load = () => line("M104 34v30m-6 -9l6 9l6 -9", "pull");
 
 const STEPS = [
-  ["Drag from point to point: bars", () => [...bars(["", "", "begun"]), ...balls(), line("M124 84l4 16l4 -6l7 -1z", "hand")]],
+  ["Drag from point to point: bars", () => [...bars(["", "", "begun"]), ...balls(), line("M124 84l4 16l4 -6l7 -1z", "tip")]],
   ["Hold what stands", () => [...bars(), ...feet(), ...balls()]],
   ["Turn a bar", () => [...bars(), ...feet(), ...balls(), turn()]],
   ["Play: motion, forces, reactions", () => [...bars(["tension", "compression", "compression"]), ...feet(), line("M66 36C84 16 118 18 130 34", "way"), ...balls(), turn(), load()]],
