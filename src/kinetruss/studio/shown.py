@@ -257,10 +257,19 @@ def film_of(session: Shown, drives: Sequence[str], rate: float | str | None, at_
     model, position = session.closed()
     if rate is not None and drives:
         rate = parse(rate, "angular rate" if turns(model.all_drives.get(drives[0])) else "speed")
-    header, arrays = sweeps.film(sweeps.swept(model, position, drives, rate=rate), model, at_speed)
+    forces = session.drawing.found.forces
+    if bent := forces is not None and not np.array_equal(forces.motion.whole["position"].values[0], position):
+        if at_speed:
+            raise InputError(
+                "Parts that bend or stretch are shown in equilibrium, at rest. Their inertia needs a run."
+            )
+        found = sweeps.settled(sweeps.swept(model, position, drives, rate=rate, samples=sweeps.FEWEST), model)
+    else:
+        found = sweeps.swept(model, position, drives, rate=rate)
+    header, arrays = sweeps.film(found, model, at_speed)
     blocks = {name: np.ascontiguousarray(values, "<f4") for name, values in arrays.items()}
     table = {name: list(values.shape) for name, values in blocks.items()}
-    header = {"kind": "sweep", "revision": session.drawing.revision, **header, "arrays": table}
+    header = {"kind": "sweep", "revision": session.drawing.revision, "bent": bent, **header, "arrays": table}
     return framed(header, *(values.tobytes() for values in blocks.values()))
 
 

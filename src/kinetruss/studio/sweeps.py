@@ -4,13 +4,13 @@ from __future__ import annotations
 
 import math
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from itertools import combinations
 from typing import TYPE_CHECKING, Any, NamedTuple
 
 import numpy as np
 
-from kinetruss import dynamics, kinematics
+from kinetruss import dynamics, kinematics, statics
 from kinetruss.display import quantity
 from kinetruss.errors import InputError, KinetrussError
 from kinetruss.mechanics import compile
@@ -68,14 +68,14 @@ class Swept:
 
 def swept(
     model: Model, position: Floats, drives: Sequence[str], bounds: Mapping[str, tuple[float, float]] | None = None,
-    rate: float | None = None,
+    rate: float | None = None, samples: int = SAMPLES,
 ) -> Swept:  # fmt: skip
     """Drives from a closed pose (n_nodes, dim), m, to both ends of their ranges, all together; the others stay.
 
     Parameters
     ----------
     bounds : their ranges, m or rad; by default a whole turn, the limits of a member, or 0.6 to 1.5 times a length.
-    rate : of the first drive, rad/s or m/s; by default a turn takes 6 s, a stroke 4 s.
+    rate : of the first drive, rad/s or m/s; by default a turn takes 6 s, a stroke 4 s. samples : their largest number.
 
     Raises
     ------
@@ -107,7 +107,7 @@ def swept(
     total = up.duration + down.duration
     if not total > 0:
         raise InputError(" ".join(dict.fromkeys(filter(None, [up.why, down.why]))) or "The range of the drives is empty.")
-    count = int(np.clip(MOST // max(1, len(model.members)), FEWEST, SAMPLES)) - 1
+    count = min(samples, int(np.clip(MOST // max(1, len(model.members)), FEWEST, SAMPLES))) - 1
     here = round(count * down.duration / total)
     before, after = (_histories(model, position, way, n + 1) for way, n in ((down, here), (up, count - here)))
     found = {
@@ -198,6 +198,36 @@ def _aligned(model: Model, x: Floats) -> str:
                 off = math.asin(min(1.0, math.sqrt(max(0.0, 1 - (float(a @ b) / size) ** 2))))
                 best = min(best, (off, f"{one} and {two} are in line at {node}"))
     return best[1]
+
+
+def settled(swept: Swept, model: Model) -> Swept:
+    """The same at rest, with elastic parts in the equilibrium near each pose; as far as there is a stable one."""
+    system = compile(model)
+    values, x = _driven(model, swept, system.drives), swept.position.copy()
+    unit = "rad" if turns(model.all_drives[swept.drives[0]]) else "m"
+    bounds, ends = [], list(swept.ends)
+    for end, steps in enumerate((range(swept.here, -1, -1), range(swept.here, len(x)))):
+        reached = swept.here
+        for k in steps:
+            try:
+                rest = statics.equilibrium(model, x[k], lengths=dict(zip(system.drives, values[k].tolist(), strict=True)))
+                why = "" if rest.stable else "The equilibrium is not stable"
+            except KinetrussError as error:
+                why = str(error).rstrip(".")
+            if why:
+                ends[end] = f"{swept.drives[0]} stops at {quantity(float(swept.values[reached, 0]), unit)}: {why}."
+                break
+            x[k], reached = rest.whole["position"].values, k
+        bounds.append(reached)
+    low, high = bounds
+    kept = slice(low, high + 1)
+    if high == low:
+        raise InputError(f"Nothing moves: {ends[1]}")
+    return replace(
+        swept, time=swept.time[kept], position=x[kept], velocity=0 * x[kept], acceleration=0 * x[kept],
+        values=swept.values[kept], here=swept.here - low, whole=swept.whole and high - low + 1 == len(x),
+        ends=(ends[0], ends[1]),
+    )  # fmt: skip
 
 
 # What a page gets.

@@ -58,19 +58,20 @@ export class Canvas {
     return this.seen[this.index.get(name)];
   }
 
-  update() {
+  /** quick : only places and forces are others than in the last picture. */
+  update(quick = false) {
     const { state, camera, picked, shown } = this.draw;
     if (!state || !this.bars) return;
     this.seen = state.places.map((place) => camera.project(place));
     this.grid();
-    this.paint(state, picked, shown);
+    this.paint(state, picked, shown, quick);
     const few = state.nodes.length <= MANY;
     this.layers.names.setAttribute("display", (shown.names && few) || this.draw.gripped.size ? "inline" : "none");
     this.circles.forEach((circle, k) => {
       const [x, y] = this.seen[k];
       circle.setAttribute("cx", x.toFixed(2));
       circle.setAttribute("cy", y.toFixed(2));
-      circle.classList.toggle("picked", picked.nodes.has(state.nodes[k]));
+      if (!quick) circle.classList.toggle("picked", picked.nodes.has(state.nodes[k]));
     });
     this.place(state, picked, shown.names && few);
     this.marks(state);
@@ -80,23 +81,27 @@ export class Canvas {
     this.rubber();
   }
 
-  paint(state, picked, shown) {
+  paint(state, picked, shown, quick) {
     const forces = this.draw.stale ? null : state.force; // not those before an edit that is computed
     const sizes = (forces || []).filter((value) => value !== null).map(Math.abs);
     const { play } = this.draw, largest = (play.away && play.film.largest) || Math.max(...sizes, 0) || 1; // one scale for a whole motion
     this.legend.hidden = !shown.force || !sizes.some((value) => value > 0);
-    fill(this.legend, el("b", {}, "Force"), el("div", { class: "bar", style: `background: ${gradient("diverging")}` }), el("div", { class: "ticks" }, el("span", {}, quantity(-largest, "N")), el("span", {}, "0"), el("span", {}, quantity(largest, "N"))), el("div", { class: "words" }, el("span", {}, "compression"), el("span", {}, "tension")),
+    if (this.legend.dataset.of !== (this.legend.dataset.of = `${largest};${state.unsure.length}`)) fill(this.legend, el("b", {}, "Force"), el("div", { class: "bar", style: `background: ${gradient("diverging")}` }), el("div", { class: "ticks" }, el("span", {}, quantity(-largest, "N")), el("span", {}, "0"), el("span", {}, quantity(largest, "N"))), el("div", { class: "words" }, el("span", {}, "compression"), el("span", {}, "tension")),
       state.unsure.length ? el("div", {}, "?: not unique, in the colour of its kind") : null);
+    const unsure = new Set(state.unsure), told = !quick || state.members.length <= FEW;
     this.bars.forEach((bar, k) => {
       const { name, ends, kind } = state.members[k];
       const [a, b] = ends.map((end) => this.at(end));
       bar.setAttribute("d", path([a, b]));
       const force = forces?.[k] ?? null;
-      const sure = force !== null && !state.unsure.includes(name);
+      const sure = force !== null && !unsure.has(name);
       bar.style.stroke = shown.force && sure ? `rgb(${colourOf("diverging", force, [-largest, largest]).map(Math.round).join(" ")})` : KINDS[kind] || KINDS.rigid;
-      bar.classList.toggle("picked", picked.members.has(name));
-      bar.classList.toggle("apart", name in state.apart);
-      bar.classList.toggle("soft", kind === "elastic" || kind === "cable" || kind === "free");
+      if (!quick) {
+        bar.classList.toggle("picked", picked.members.has(name));
+        bar.classList.toggle("apart", name in state.apart);
+        bar.classList.toggle("soft", kind === "elastic" || kind === "cable" || kind === "free");
+      }
+      if (!told && !picked.members.has(name)) return;
       this.tags[k].textContent = shown.lengths || this.touches(ends) ? `${name} ${spanOf(...ends.map((end) => this.draw.at(end)), state.dim)}` : shown.force && force !== null ? `${name} ${quantity(Math.abs(force) < 1e-12 * largest ? 0 : force, "N")}${sure ? "" : " ?"}` : name;
     });
   }
@@ -109,7 +114,7 @@ export class Canvas {
   /** Names of nodes, of what is picked, and of members where there is room. */
   place(state, picked, named) {
     this.names.begin(this.seen);
-    this.labels.forEach((label, k) => (named ? this.names.node(label, this.seen[k]) : label.setAttribute("display", "none")));
+    if (named || this.draw.gripped.size) this.labels.forEach((label, k) => (named ? this.names.node(label, this.seen[k]) : label.setAttribute("display", "none")));
     this.draw.diagram.place(this.layers.diagram, this.names.taken);
     if (!named && !this.draw.gripped.size) return;
     const order = state.members.map((_, k) => k).sort((a, b) => picked.members.has(state.members[b].name) - picked.members.has(state.members[a].name));

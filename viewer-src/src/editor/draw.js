@@ -177,6 +177,7 @@ export class Draw extends Talk {
 
   /** A value that is not taken: every field shows again what holds. */
   refuse(message) {
+    this.play.going = false;
     this.curves.failed(message, this.waiting);
     this.tell(message, true);
     for (const part of [this.properties, this.whole, this.entries]) part.rebuild();

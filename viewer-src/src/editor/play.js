@@ -119,7 +119,7 @@ export class Play extends Player {
     Object.assign(state, fields);
     draw.root.classList.add("away");
     this.aside.hidden = false;
-    draw.canvas.update();
+    draw.canvas.update(this.playing);
     this.time.update();
     this.mark();
     if (!this.playing || performance.now() - this.told > TOLD) this.tell();
@@ -161,6 +161,8 @@ export class Play extends Player {
       const fields = this.film.shown(this.index, state);
       if (this.away) this.drawn = Object.fromEntries(Object.keys(fields).map((name) => [name, state[name]]));
       if (this.away) Object.assign(state, fields);
+      if (this.going) this.toggle();
+      this.going = false;
       return;
     }
     const going = this.going || this.playing;
@@ -205,7 +207,7 @@ export class Play extends Player {
     const drive = names.length > 1 ? choice("Drive", [...names, ALL], this.chosen || names[0], (chosen) => other({ chosen, value: undefined }), "drive that moves") : null;
     const ways = Object.entries(WAYS).filter(([way]) => film?.whole || way !== "round");
     const way = film ? choice("Way", ways, this.way, (chosen) => { this.asked = true; this.setWay(chosen); }, "way through the range") : null;
-    const inertia = film ? choice("Forces", [["", "at rest"], ["on", "at speed"]], this.atSpeed ? "on" : "", (on) => other({ atSpeed: Boolean(on) }), "forces while it moves") : null;
+    const inertia = film && !film.bent ? choice("Forces", [["", "at rest"], ["on", "at speed"]], this.atSpeed ? "on" : "", (on) => other({ atSpeed: Boolean(on) }), "forces while it moves") : null;
     const turning = film?.drives[film.lead].unit === "rad";
     const rate = film && this.atSpeed ? field("Rate", this.rate ?? (turning ? "60 deg/s" : ""), (typed) => other({ rate: typeof typed === "number" ? `${typed} ${turning ? "deg/s" : "m/s"}` : typed }), { hint: turning ? "60 deg/s" : "m/s", size: 8, name: "rate of the drive" }) : null;
     refill(this.controls, bar, drive, way, inertia, rate, this.aside);
@@ -245,7 +247,8 @@ export class Play extends Player {
     const most = held.reduce((best, size, k) => (Number.isFinite(size) && (size <= this.limit * (1 + 1e-6)) && size > (held[best] || 0) ? k : best), 0);
     const { unit } = film.drives[film.lead];
     const torque = held[most] > 0 ? ` Largest ${unit === "rad" ? "torque" : "force"}${this.cut ? " away from the dead point" : ""} ${quantity(held[most], unit === "rad" ? "N m" : "N")} at ${quantity(film.value(most), unit)}.` : "";
-    return [...ends, el("span", {}, `${spans.slice(0, 3).join("; ")}.${torque} ${this.swings().join(" ")} `), nextSteps(this.draw, this)];
+    const bent = film.bent ? "Parts that bend or stretch are in equilibrium, at rest. " : "";
+    return [...ends, el("span", {}, `${bent}${spans.slice(0, 3).join("; ")}.${torque} ${this.swings().join(" ")} `), nextSteps(this.draw, this)];
   }
 
   /** How far bars swing that have one held end and are not driven. */
