@@ -11,7 +11,7 @@ import numpy as np
 
 from kinetruss.errors import Fault, InputError, ModelError
 from kinetruss.io.writing import value_of
-from kinetruss.model import Model, nearest, of_file
+from kinetruss.model import Bar, Model, nearest, of_file
 from kinetruss.units import parse
 
 if TYPE_CHECKING:
@@ -139,7 +139,7 @@ def at_pose(data: Data, model: Model, position: NDArray[np.float64]) -> Data:
             a, b = member.ends
             if isinstance(entry, dict) and entry.get("length") is not None and name in model.all_drives:
                 rows[name] = {**entry, "length": float(np.linalg.norm(new[b] - new[a]))}
-            elif table == "bars" and member.kind in SOFT and member.natural_length is None and member.pretension is None:
+            elif isinstance(member, Bar) and member.kind in SOFT and (member.natural_length, member.pretension) == (None, None):
                 rows[name] = {**entry_of(entry), "natural_length": float(np.linalg.norm(old[b] - old[a]))}
         if rows and rows != found.get(table):
             found = {**found, table: rows}

@@ -338,6 +338,8 @@ def sweep(session: Session, drives: Names, rate: Typed | None = None, at_speed: 
 
     rate : of the first, rad/s or m/s or text with a unit. at_speed : with inertia at this rate; else every pose at rest.
     """
+    if not session.draw:
+        raise InputError("This message is for a drawing.")
     return film_of(session, drives, rate, at_speed)
 
 

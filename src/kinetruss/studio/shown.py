@@ -255,17 +255,16 @@ def drawing_of(session: Shown, light: bool = False) -> Record:
 def film_of(session: Shown, drives: Sequence[str], rate: float | str | None, at_speed: bool) -> bytes:
     """A motion of drives through their range: names and words in the header, float32 arrays over time after it."""
     model, position = session.closed()
+    wanted = None
     if rate is not None and drives:
-        rate = parse(rate, "angular rate" if turns(model.all_drives.get(drives[0])) else "speed")
+        wanted = float(parse(rate, "angular rate" if turns(model.all_drives.get(drives[0])) else "speed"))
     forces = session.drawing.found.forces
     if bent := forces is not None and not np.array_equal(forces.motion.whole["position"].values[0], position):
         if at_speed:
-            raise InputError(
-                "Parts that bend or stretch are shown in equilibrium, at rest. Their inertia needs a run."
-            )
-        found = sweeps.settled(sweeps.swept(model, position, drives, rate=rate, samples=sweeps.FEWEST), model)
+            raise InputError("Parts that bend or stretch are shown in equilibrium, at rest. Their inertia needs a run.")
+        found = sweeps.settled(sweeps.swept(model, position, drives, rate=wanted, samples=sweeps.FEWEST), model)
     else:
-        found = sweeps.swept(model, position, drives, rate=rate)
+        found = sweeps.swept(model, position, drives, rate=wanted)
     header, arrays = sweeps.film(found, model, at_speed)
     blocks = {name: np.ascontiguousarray(values, "<f4") for name, values in arrays.items()}
     table = {name: list(values.shape) for name, values in blocks.items()}
