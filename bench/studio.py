@@ -4,6 +4,10 @@
 
 One update: drives moved and followed, forces, stresses, motors of small models, packing, the way to the client. Wall time and
 processor time of the server (where the system tells it), medians of all updates after a warm-up.
+
+Then, where there is Chromium, a drawing that plays: a lattice boom on a jack, of 40 and of 400 bars. `ready_s` is from the
+press of Play to the first picture, once kernels are loaded; `pictures_per_second` counts pictures on the screen during 3 s,
+`page_ms` is what the page computes for each.
 """
 
 from __future__ import annotations
@@ -11,11 +15,14 @@ from __future__ import annotations
 import argparse
 import json
 import re
+import shutil
 import statistics
 import subprocess
 import sys
 import tempfile
 import time
+from collections.abc import Iterator
+from contextlib import contextmanager
 from pathlib import Path
 
 from websockets.sync.client import connect
@@ -37,17 +44,22 @@ def processor_time(pid: int) -> float:
     return (int(fields[11]) + int(fields[12])) / 100
 
 
+@contextmanager
+def studio_of(model: kt.Model, folder: str) -> Iterator[tuple[str, int]]:
+    """Address and process of a studio of a model."""
+    path = kt.write(model, Path(folder) / "model.yaml")
+    command = [sys.executable, "-c", "from kinetruss.cli import main; main()", "studio", str(path), "--no-open"]
+    with subprocess.Popen(command, stdout=subprocess.PIPE, text=True) as process:
+        try:
+            yield re.search(r"http://\S+", process.stdout.readline())[0], process.pid
+        finally:
+            process.kill()
+
+
 def measure(name: str, model: kt.Model, updates: int) -> dict[str, object]:
-    with tempfile.TemporaryDirectory() as folder:
-        path = kt.write(model, Path(folder) / "model.yaml")
-        command = [sys.executable, "-c", "from kinetruss.cli import main; main()", "studio", str(path), "--no-open"]
-        with subprocess.Popen(command, stdout=subprocess.PIPE, text=True) as process:
-            try:
-                address = re.search(r"http://\S+", process.stdout.readline())[0]
-                counts = {"case": name, "members": len(model.members), "drives": len(model.all_drives)}
-                return counts | talk(address, process.pid, updates)
-            finally:
-                process.kill()
+    with tempfile.TemporaryDirectory() as folder, studio_of(model, folder) as (address, pid):
+        counts = {"case": name, "members": len(model.members), "drives": len(model.all_drives)}
+        return counts | talk(address, pid, updates)
 
 
 def talk(address: str, pid: int, updates: int) -> dict[str, float]:
@@ -71,12 +83,65 @@ def talk(address: str, pid: int, updates: int) -> dict[str, float]:
     return {"ms": 1e3 * wall, "per_second": 1 / wall, "processor_ms": 1e3 * computed, "kB": len(answer) / 1e3}
 
 
+def boom(bays: int) -> kt.Model:
+    """A lattice boom, held at its foot and luffed by a jack: four bars a bay and two."""
+    nodes = {f"{row}{k}": (float(k), float(height)) for k in range(bays + 1) for row, height in (("b", 0), ("t", 1))}
+    pairs = [(f"b{k}", f"t{k}") for k in range(bays + 1)]
+    for k in range(bays):
+        pairs += [(f"b{k}", f"b{k + 1}"), (f"t{k}", f"t{k + 1}"), (f"b{k}", f"t{k + 1}")]
+    bars = {f"m{k}": kt.Bar(ends=ends) for k, ends in enumerate(pairs)}
+    bars["jack"] = kt.Bar(ends=("J", "b3"), kind="driven")
+    return kt.Model(
+        nodes={**nodes, "J": (2.0, -2.0)}, fixed={"b0": "xy", "J": "xy"}, bars=bars, gravity=(0, -9.81),
+        section="tube_lacy_planar", material="aluminium_lacy",
+    )  # fmt: skip
+
+
+PLAY = """async () => {
+  const { draw } = kinetruss, { play } = draw, began = performance.now();
+  await play.toggle();
+  await new Promise((resolve) => requestAnimationFrame(() => requestAnimationFrame(resolve)));
+  const ready = (performance.now() - began) / 1000, show = play.goTo.bind(play);
+  let [count, spent] = [0, 0];
+  play.goTo = (index) => {
+    const at = performance.now();
+    show(index);
+    spent += performance.now() - at;
+    count++;
+  };
+  const start = performance.now();
+  while (performance.now() - start < 3000) await new Promise((resolve) => requestAnimationFrame(resolve));
+  const passed = (performance.now() - start) / 1000;
+  play.pause();
+  return { ready_s: ready, pictures_per_second: count / passed, page_ms: spent / count, samples: play.film.frames };
+}"""
+
+
+def played(model: kt.Model) -> dict[str, object] | None:
+    """A drawing that plays in a browser; None without one."""
+    program = shutil.which("chromium") or shutil.which("chromium-browser")
+    if program is None:
+        return None
+    from playwright.sync_api import sync_playwright
+
+    with tempfile.TemporaryDirectory() as folder, studio_of(model, folder) as (address, _), sync_playwright() as playwright:
+        browser = playwright.chromium.launch(executable_path=program, args=["--no-sandbox"])
+        page = browser.new_page(viewport={"width": 1440, "height": 900})
+        page.goto(f"{address}draw/")
+        page.wait_for_selector("#kinetruss[data-state=ready]", timeout=300_000)
+        page.evaluate("async () => { const { play } = kinetruss.draw; await play.load(); play.home(); play.film = null; }")
+        found = page.evaluate(PLAY)
+        browser.close()
+    return {"case": "plays", "members": len(model.members), "drives": len(model.all_drives)} | found
+
+
 def main() -> None:
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("--json", action="store_true")
     parser.add_argument("--updates", type=int, default=60)
     options = parser.parse_args()
     rows = [measure(name, model, options.updates) for name, model in models().items()]
+    rows += filter(None, [played(boom(bays)) for bays in (10, 100)])
     if options.json:
         print(json.dumps({"rows": rows}))
         return

@@ -10,8 +10,9 @@ import { Legend } from "./legend.js";
 import { freeBodyOf } from "./mechanics.js";
 import { Names } from "./names.js";
 import { legendBoxes, Over, unknownOf } from "./over.js";
+import { Player } from "./player.js";
 import { Table } from "./table.js";
-import { speedsOf, TimeBar, usualSpeed } from "./timebar.js";
+import { TimeBar } from "./timebar.js";
 import { ToolBar } from "./toolbar.js";
 import { movingNodes } from "./traces.js";
 import { Verdict } from "./verdict.js";
@@ -25,19 +26,18 @@ function bodily(scene) {
   return scene.header.triangles.length > 0 && scene.arrays.radius.data.every(Number.isNaN);
 }
 
-export class App {
+export class App extends Player {
   /** side: an element that stands left of the picture. */
   constructor(root, scenes, labels = [], side = null) {
+    super();
     Object.assign(this, { root, side, ended: new AbortController() });
-    Object.assign(this, { index: 0, playing: false, speed: 1, channel: null, limits: [0, 1], picked: null, mode: -1, labels });
+    Object.assign(this, { channel: null, limits: [0, 1], picked: null, mode: -1, labels });
     this.shown = { ghost: false, names: scenes[0].nodes.length <= 12, loads: true, supports: true, grid: true, faces: scenes.every(bodily), paths: false };
     this.paths = new Set(); // names of nodes whose path is shown by itself
     this.touch = matchMedia("(hover: none)").matches;
     this.theme = root.dataset.theme || (matchMedia("(prefers-color-scheme: dark)").matches ? "dark" : "light");
     root.dataset.theme = this.theme;
-    this.lead = scenes.reduce((best, one) => (one.time[one.frames - 1] > best.time[best.frames - 1] ? one : best));
-    const duration = this.lead.time[this.lead.frames - 1] - this.lead.time[0];
-    Object.assign(this, { speeds: speedsOf(duration), speed: usualSpeed(duration) });
+    this.setLead(scenes.reduce((best, one) => (one.time[one.frames - 1] > best.time[best.frames - 1] ? one : best)));
     const canvases = scenes.map((scene, k) => el("canvas", { tabindex: 0, role: "img", "aria-label": `picture of ${labels[k] || scene.header.title || "the model"}` }));
     this.diagram = null;
     this.offered = [...new Map(scenes.flatMap((scene) => scene.header.shows || []).map((one) => [one.id, one])).values()];
@@ -134,45 +134,6 @@ export class App {
     this.time.update();
     this.inspector.update();
     this.table.update();
-  }
-
-  step(count) {
-    this.pause();
-    this.goTo(this.index + count);
-  }
-
-  togglePlay() {
-    if (this.lead.frames < 2) return;
-    this.playing = !this.playing;
-    if (this.playing && this.index === this.lead.frames - 1) this.goTo(0);
-    this.clock = { at: performance.now(), from: this.lead.time[this.index] };
-    this.time.update();
-    if (this.playing) requestAnimationFrame((now) => this.tick(now));
-  }
-
-  pause() {
-    this.playing = false;
-    this.time.update();
-  }
-
-  tick(now) {
-    if (!this.playing) return;
-    const time = this.clock.from + (this.speed * (now - this.clock.at)) / 1000;
-    const index = this.lead.frameAt(time);
-    if (index !== this.index) this.goTo(index);
-    if (time >= this.lead.time[this.lead.frames - 1]) this.pause();
-    else requestAnimationFrame((next) => this.tick(next));
-  }
-
-  setSpeed(speed) {
-    this.speed = speed;
-    this.clock = { at: performance.now(), from: this.lead.time[this.index] };
-    this.time.update();
-  }
-
-  faster(by) {
-    const at = this.speeds.indexOf(this.speed) + by;
-    this.setSpeed(this.speeds[Math.min(Math.max(at, 0), this.speeds.length - 1)]);
   }
 
   toWorst() {

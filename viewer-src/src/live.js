@@ -4,7 +4,7 @@ import { App } from "./app.js";
 import { Controls } from "./controls.js";
 import { el } from "./dom.js";
 import { fromBase64, readScene } from "./scene.js";
-import { Talk } from "./talk.js";
+import { opened, Talk } from "./talk.js";
 
 const REST = 150; // ms after the last answer at which what takes longer is asked for
 const SILENT = 2500; // ms after which a page that no kernel answers shows its still
@@ -30,13 +30,6 @@ function throughFrame(live) {
   window.parent.postMessage({ kinetruss: "{\"do\":\"show\"}" }, "*");
   setTimeout(() => live.still(), window.parent === window ? 0 : SILENT); // alone there is nobody to answer
   live.open((text) => window.parent.postMessage({ kinetruss: text }, "*"));
-}
-
-/** Header and arrays of a binary message. */
-export function opened(buffer) {
-  const size = new DataView(buffer).getUint32(0, true);
-  const header = JSON.parse(new TextDecoder().decode(new Uint8Array(buffer, 4, size)));
-  return [header, new Uint8Array(buffer, 4 + size)];
 }
 
 export class Live extends Talk {

@@ -9,6 +9,7 @@ const PENS = Object.fromEntries(Object.entries(THEMES).map(([theme, colours]) =>
 /**
  * Draw curves {x, y, label, dashed} into a canvas.
  * options: unit, xUnit, title, cursor (x), limit (y), fill (to the zero line).
+ * Returns where values are: {x(value), y(value)} in pixels.
  */
 export function plot(canvas, curves, options = {}) {
   const ratio = window.devicePixelRatio || 1;
@@ -27,6 +28,7 @@ export function plot(canvas, curves, options = {}) {
   if (Number.isFinite(options.limit)) level(pen, frame, options.limit, theme === "dark" ? THEMES.dark.alarm : OVER);
   if (options.cursor !== undefined) upright(pen, frame, options.cursor, ink);
   legend(pen, frame, curves, PENS[theme], ink);
+  return frame;
 }
 
 function frameOf(curves, options, width, height) {

@@ -1,6 +1,7 @@
 // Reads a scene: the bytes of kinetruss.viewer.pack. The form is described in docs/viewer.md.
 
 import { BeamCurves } from "./beams.js";
+import { sampleAt } from "./player.js";
 
 const MAGIC = "KTSCENE1";
 const FORMAT = "kinetruss.scene";
@@ -248,13 +249,7 @@ export class Scene {
 
   /** The frame nearest to a time. */
   frameAt(time) {
-    let low = 0, high = this.frames - 1;
-    while (high - low > 1) {
-      const middle = (low + high) >> 1;
-      if (this.time[middle] <= time) low = middle;
-      else high = middle;
-    }
-    return Math.abs(this.time[high] - time) < Math.abs(time - this.time[low]) ? high : low;
+    return sampleAt(this.time, time);
   }
 }
 

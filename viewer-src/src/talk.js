@@ -6,6 +6,13 @@ import { el } from "./dom.js";
 const AGAIN = 2000; // ms between attempts to reach a lost studio
 const LOST = "The studio does not answer. Start it again, and open the address that it prints.";
 
+/** Header and arrays of a binary message. */
+export function opened(buffer) {
+  const size = new DataView(buffer).getUint32(0, true);
+  const header = JSON.parse(new TextDecoder().decode(new Uint8Array(buffer, 4, size)));
+  return [header, new Uint8Array(buffer, 4 + size)];
+}
+
 /** What both pages of the studio have. A page says what it hears of (`heard`), and whether it shows anything (`there`). */
 export class Talk {
   constructor(root) {

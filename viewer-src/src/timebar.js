@@ -20,13 +20,14 @@ export function speedsOf(duration) {
   return [...new Set([...SPEEDS, usualSpeed(duration)])].sort((a, b) => a - b);
 }
 
+/** app : a `Player`; `said`, if it has one, tells where it is in other words than the time. */
 export class TimeBar {
   constructor(app) {
     this.app = app;
     const time = app.lead.time, duration = time[app.lead.frames - 1] - time[0], usual = usualSpeed(duration);
     const words = (one) => `${number(one)}×${one === usual && duration > 0 ? ` (${number(duration / one, 2)} s)` : ""}`;
     this.button = el("button", { type: "button", class: "play", title: app.hint("Play or pause", "space"), onclick: () => app.togglePlay() }, "▶");
-    this.slider = el("input", { type: "range", min: 0, max: Math.max(app.lead.frames - 1, 0), step: 1, value: 0, "aria-label": "time", oninput: () => app.goTo(Number(this.slider.value)) });
+    this.slider = el("input", { type: "range", min: 0, max: Math.max(app.lead.frames - 1, 0), step: 1, value: 0, "aria-label": "time", oninput: () => app.seek(Number(this.slider.value)) });
     this.readout = el("output", { class: "time" });
     this.speed = el("select", { "aria-label": "speed", title: app.hint("Speed", "+ and -"), onchange: () => app.setSpeed(Number(this.speed.value)) },
       app.speeds.map((one) => el("option", { value: one, selected: one === app.speed }, words(one))));
@@ -39,8 +40,8 @@ export class TimeBar {
     const time = app.lead.time[app.index], end = app.lead.time[app.lead.frames - 1];
     const digits = Math.max(4, Math.ceil(Math.log10(app.lead.frames)) + 1);
     this.slider.value = app.index;
-    this.slider.setAttribute("aria-valuetext", `${number(time, digits)} s of ${number(end, digits)} s`);
-    this.readout.textContent = `${number(time, digits)} s`;
+    this.slider.setAttribute("aria-valuetext", app.said?.() ?? `${number(time, digits)} s of ${number(end, digits)} s`);
+    this.readout.textContent = app.said?.() ?? `${number(time, digits)} s`;
     this.button.textContent = app.playing ? "❚❚" : "▶";
     this.button.setAttribute("aria-label", app.playing ? "pause" : "play");
     this.speed.value = String(app.speed);

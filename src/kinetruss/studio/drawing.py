@@ -166,7 +166,7 @@ class Drawing:
         ------
         ModelError : the data have faults that the present ones do not have; nothing is changed.
         """
-        found = judged(data, fine=drag is None, last=self.found if drag is not None and self._plain() else None)
+        found = judged(data, fine=drag is None, last=self.found if drag is not None and self._plain(data) else None)
         known = {(fault.path, fault.message) for fault in self.found.faults}
         if new := [fault for fault in found.faults if (fault.path, fault.message) not in known]:
             raise ModelError(new)
@@ -223,7 +223,9 @@ class Drawing:
         self.state, self._found = state, None
         self.revision += 1
 
-    def _plain(self) -> bool:
-        """True if places of nodes alone differ between the model and a model with moved nodes: nothing is derived from them."""
-        model = self.found.model
+    def _plain(self, data: Data) -> bool:
+        """True if places of nodes alone differ between the model and that of the data: nothing is derived from them."""
+        model, now = self.found.model, self.state.data
+        if data.keys() != now.keys() or any(data[key] is not now[key] for key in data if key != "nodes"):
+            return False
         return model is not None and not (model.bending or model.bodies or model.hubs)

@@ -5,14 +5,21 @@ from __future__ import annotations
 import math
 import re
 from collections.abc import Iterable, Mapping, Sequence
-from typing import Any
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
 
 from kinetruss.errors import Fault, InputError, ModelError
 from kinetruss.io.writing import value_of
-from kinetruss.model import Model, nearest, of_file
+from kinetruss.model import Bar, Model, nearest, of_file
 from kinetruss.units import parse
 
+if TYPE_CHECKING:
+    from numpy.typing import NDArray
+
 Data = dict[str, Any]
+
+SOFT = ("elastic", "cable")
 
 MEMBERS = ("bars", "active", "beams", "links")
 """Tables of members, which are drawn as lines."""
@@ -115,6 +122,28 @@ def moved(data: Data, places: Mapping[str, Sequence[Any]]) -> Data:
         entry = nodes[name]
         nodes[name] = {**entry, "at": list(place)} if isinstance(entry, dict) else list(place)
     return {**data, "nodes": nodes}
+
+
+def at_pose(data: Data, model: Model, position: NDArray[np.float64]) -> Data:
+    """The data with nodes at a pose (n_nodes, dim), m, of the model of the data, and what follows the drives.
+
+    Given lengths of driven members are those there; springs whose natural length is that drawn keep it as a number.
+    """
+    old = {name: np.array(node.at) for name, node in model.nodes.items()}
+    new = {name: np.array(place) for name, place in zip(model.nodes, position, strict=False)}
+    found = moved(data, {name: place.tolist() for name, place in new.items() if not np.array_equal(place, old[name])})
+    for table in ("bars", "active"):
+        rows = dict(found.get(table) or {})
+        for name, entry in rows.items():
+            member = model.members[name]
+            a, b = member.ends
+            if isinstance(entry, dict) and entry.get("length") is not None and name in model.all_drives:
+                rows[name] = {**entry, "length": float(np.linalg.norm(new[b] - new[a]))}
+            elif isinstance(member, Bar) and member.kind in SOFT and (member.natural_length, member.pretension) == (None, None):
+                rows[name] = {**entry_of(entry), "natural_length": float(np.linalg.norm(old[b] - old[a]))}
+        if rows and rows != found.get(table):
+            found = {**found, table: rows}
+    return found
 
 
 def with_load(data: Data, name: str, node: str, force: Sequence[float]) -> Data:

@@ -17,6 +17,7 @@ from kinetruss.mechanics.mobility import beam_deformations, mobility_at
 from kinetruss.mechanics.positions import drive_values, row_values
 from kinetruss.model import LengthDrive, Model, of_file
 from kinetruss.statics.search import projected, row_errors
+from kinetruss.studio.edits import SOFT
 from kinetruss.studio.poses import CLOSED, EXACT, LARGEST, MANY, alarms_of, at_rest
 
 if TYPE_CHECKING:
@@ -86,8 +87,6 @@ def on_members(places: Mapping[str, Sequence[float]], members: Mapping[str, Sequ
 
 LISTED = 6
 """Largest number of mechanisms and of states of self-stress in words."""
-
-SOFT = ("elastic", "cable")
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)

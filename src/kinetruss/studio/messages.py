@@ -13,12 +13,12 @@ from pydantic import BaseModel, ConfigDict, Field, ValidationError, create_model
 
 from kinetruss.errors import InputError, KinetrussError, ModelError
 from kinetruss.model import nearest
-from kinetruss.studio import asked, beginnings, copies, drawing, edits, requested_runs
+from kinetruss.studio import asked, beginnings, copies, drawing, edits, requested_runs, sweeps
 from kinetruss.studio.member_kinds import switched
 from kinetruss.studio.new_parts import made, with_analysis
 from kinetruss.studio.requested_runs import Finite, FrameList, Name, Values
 from kinetruss.studio.session import LARGE, Answer, Desk
-from kinetruss.studio.shown import numbers, over_of
+from kinetruss.studio.shown import film_of, numbers, over_of
 from kinetruss.studio.taken import Form
 
 Names = Annotated[tuple[Name, ...], Field(max_length=100_000)]
@@ -111,16 +111,20 @@ class Session(Desk):
 
 @message
 def move(
-    session: Session, values: Values | None = None, places: Places | None = None, fine: bool = False, drag: int | None = None
-) -> Answer:
+    session: Session, values: Values | None = None, places: Places | None = None, fine: bool = False, drag: int | None = None,
+    keep: bool = False,
+) -> Answer:  # fmt: skip
     """Drives to new values (m, rad) from the last good pose, or nodes to new places (m or text with units).
 
     fine : also compute slow results (motors and mobility of large models). drag : those with one number are one step of undo.
+    keep : of nodes of a drawing: all lengths stay, drives follow, and the nodes come as near as they can.
     """
     if (values is None) == (places is None):
         raise InputError("This message is not understood. Give values of drives, or places of nodes.")
     if values is not None:
         return session.move(values, fine)
+    if keep:
+        return session.carry(places or {}, drag)
     return session.take(edits.moved(session.data, places or {}), f"moving {_list(places)}", drag=drag)
 
 
@@ -329,7 +333,24 @@ def stop(session: Session) -> Answer:
 @message
 def curve(session: Session, node: Name, drive: Name, low: Coordinate | None = None, high: Coordinate | None = None) -> Answer:
     """The path of a node and the force of a drive along the range of that drive, m or rad."""
-    return {"kind": "curve"} | requested_runs.curve(*session.closed(), node, drive, low, high)
+    return {"kind": "curve"} | sweeps.curve(*session.closed(), node, drive, low, high)
+
+
+@message
+def sweep(session: Session, drives: Names, rate: Typed | None = None, at_speed: bool = False) -> Answer:
+    """Drives through their range, to be played: positions, forces and reactions of every sample.
+
+    rate : of the first, rad/s or m/s or text with a unit. at_speed : with inertia at this rate; else every pose at rest.
+    """
+    if not session.draw:
+        raise InputError("This message is for a drawing.")
+    return film_of(session, drives, rate, at_speed)
+
+
+@message
+def put(session: Session, values: Values) -> Answer:
+    """A drawing in the pose of other drive values, m or rad, reached continuously from the one that is drawn."""
+    return session.put(values)
 
 
 @message

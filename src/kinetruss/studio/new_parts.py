@@ -323,11 +323,12 @@ def new_run(drives: Mapping[str, Any]) -> dict[str, Any]:
     """A motion of all drives within two seconds: a tenth longer, or a turn of 30 degrees; without drives, the equilibrium."""
     if not drives:
         return {"analysis": "statics.equilibrium"}
-    moves = {}
+    moves: dict[str, list[Any]] = {}
     for name, (value, unit) in drives.items():
-        start = float(f"{value:.9g}")
-        end = value + math.pi / 6 if unit == "rad" else value + 0.1 * (abs(value) or 1.0)
-        moves[name] = [start, float(f"{end:.4g}")]
+        if unit == "rad":
+            moves[name] = [f"{math.degrees(value + turn):.9g} deg" for turn in (0.0, math.pi / 6)]
+        else:
+            moves[name] = [float(f"{value:.9g}"), float(f"{value + 0.1 * (abs(value) or 1.0):.4g}")]
     return {
         "analysis": "dynamics.inverse",
         "trajectory": {"kind": "quintic", "moves": moves, "duration": "2 s"},

@@ -274,12 +274,17 @@ ADVICE = ("The motion is good", "Start the path", "Correct the path", "Change th
 """Starts of sentences that apply only to paths."""
 
 
-def _reason(message: str) -> str:
-    """The reason, without times and advice that apply to a path but not to a slider."""
+def reason(message: str) -> str:
+    """Why a motion ends, without times and advice that apply to a path but not to a slider, and without the full stop."""
     sentences = re.split(r"(?<=[.!?]) (?=[A-Z])", message)
     kept = " ".join(TIMED.sub("", one) for one in sentences if not one.startswith(ADVICE))
     kept = kept.replace("The path runs", "This motion runs").replace("at the start of the path ", "").rstrip(".")
-    return f"{kept[:1].upper()}{kept[1:]}. Stopped at the last good pose: move the drives in another way."
+    return f"{kept[:1].upper()}{kept[1:]}"
+
+
+def _reason(message: str) -> str:
+    """The same for a slider, with what to do."""
+    return f"{reason(message)}. Stopped at the last good pose: move the drives in another way."
 
 
 def _settled(model: Model, position: Pose | None, values: Mapping[str, float]) -> Reached:

@@ -1,9 +1,8 @@
-"""Runs that a page has asked for, by name or by key frames, the pages of their results, and curves along a drive."""
+"""Runs that a page has asked for, by name or by key frames, and the pages of their results."""
 
 from __future__ import annotations
 
 import logging
-import math
 import threading
 import time
 from collections.abc import Callable, Mapping, Sequence
@@ -15,11 +14,10 @@ from typing import TYPE_CHECKING, Annotated, Any
 import numpy as np
 from pydantic import BaseModel, ConfigDict, Field, TypeAdapter
 
-from kinetruss import dynamics, kinematics, runs
+from kinetruss import runs
 from kinetruss.errors import InputError, KinetrussError
 from kinetruss.kernels.compiled.jit import keeper
-from kinetruss.mechanics import compile
-from kinetruss.model import Model, Quintic, Run, Spline, nearest, turns
+from kinetruss.model import Model, Quintic, Run, Spline, nearest
 from kinetruss.model.runs import MISSION
 from kinetruss.runs import MissionRun, RunResult
 from kinetruss.runs.doubts import remarks
@@ -28,7 +26,7 @@ from kinetruss.studio.taken import File, Form, taken
 from kinetruss.viewer import page, scene
 
 if TYPE_CHECKING:
-    from numpy.typing import NDArray
+    pass
 
     from kinetruss.studio.edits import Data
 
@@ -59,78 +57,6 @@ def frames_of(rows: Any) -> tuple[KeyFrame, ...]:
     ValueError : they are none.
     """
     return _FRAMES.validate_python(rows)
-
-
-SAMPLES = 181
-"""Number of samples of a curve to either side of the pose shown."""
-
-
-def curve(
-    model: Model, position: NDArray[np.float64], node: str, drive: str, low: float | None = None, high: float | None = None
-) -> dict[str, Any]:
-    """The coupler curve of a node, and the force (N) or torque (N m) that holds the drive at rest at each of its points.
-
-    Parameters
-    ----------
-    position : (n_nodes, dim), m, the closed pose to start from. low, high : range of the drive, m or rad; by default its
-        limits, 0.6 to 1.5 times its length, or a whole turn.
-
-    Raises
-    ------
-    InputError : unknown names, or a structure that its drives do not hold.
-    """
-    if node not in model.nodes:
-        raise InputError(f"No node called {node!r}. {nearest(node, model.nodes)}")
-    if drive not in model.all_drives:
-        raise InputError(f"No drive called {drive!r}. {nearest(drive, model.all_drives)}")
-    system = compile(model)
-    start = dict(zip(system.drives, map(float, system.drive_start), strict=True))
-    turning = turns(model.all_drives[drive])
-    ends = (start[drive], start[drive] + 2 * math.pi) if turning else range_of(model, drive, position)[:2]
-    low, high = (given if given is not None else own for given, own in zip((low, high), ends, strict=True))
-    up = _followed(model, position, start, drive, high)
-    whole = turning and high - low >= 2 * math.pi - 1e-9 and not up[2]
-    down = None if whole or low >= start[drive] else _followed(model, position, start, drive, low)
-    values, x = (up[0], up[1]) if down is None else (np.r_[down[0][:0:-1], up[0]], np.r_[down[1][:0:-1], up[1]])
-    still = np.zeros_like(x)
-    motion = kinematics.from_arrays(model, np.arange(len(x), dtype=float), x, still, still)
-    forces = dynamics.inverse(model, motion, static=False).arrays
-    k = list(model.nodes).index(node)
-    held = forces["drive_force"].values[:, list(system.drives).index(drive)]
-    return {
-        "node": node,
-        "drive": drive,
-        "unit": "rad" if turning else "m",
-        "values": values.tolist(),
-        "path": x[:, k].tolist(),
-        "force": [number(one) for one in held],
-        "stopped": " ".join(part[2] for part in (down, up) if part is not None and part[2]),
-    }
-
-
-def _followed(
-    model: Model, position: NDArray[np.float64], start: dict[str, float], drive: str, end: float
-) -> tuple[NDArray[np.float64], NDArray[np.float64], str]:
-    """Drive values, positions and, if the path ends early, the reason."""
-    way = Quintic(moves={drive: (start[drive], end)}, duration=1.0)
-    try:
-        share = np.linspace(0, 1, SAMPLES)
-        motion = kinematics.follow(model, way, times=_even(share), start=position, least=LEAST, raise_on_failure=False)
-    except KinetrussError as error:
-        raise InputError(f"No curve: {error}") from None
-    found = motion.arrays
-    if not len(found["time"].values):
-        raise InputError(f"No curve: {motion.message}")
-    names = [str(name) for name in found["drive"].values]
-    values = found["drive_position"].values[:, names.index(drive)]
-    reason = "" if motion.status.ok else f"It ends at {values[-1]:.6g}: {motion.message}"
-    return values, found["position"].values, reason
-
-
-def _even(share: NDArray[np.float64]) -> NDArray[np.float64]:
-    """Times at which a quintic from rest to rest has moved by these shares of its way."""
-    time = np.linspace(0, 1, 4001)
-    return np.asarray(np.interp(share, time**3 * (10 - 15 * time + 6 * time**2), time))
 
 
 # Runs of key frames.

@@ -15,10 +15,13 @@ from kinetruss.io.emitting import plain_model
 from kinetruss.io.writing import changed_text
 from kinetruss.model import Model, nearest, turns
 from kinetruss.studio import shown
+from kinetruss.studio.dragging import Grip
 from kinetruss.studio.drawing import Drawing, State, fresh, model_of, read_text
+from kinetruss.studio.edits import at_pose
 from kinetruss.studio.files import Drafts, FileThereError, Seen, save, seen_now
 from kinetruss.studio.poses import Instant, Reached, instant, posed, present_values, range_of, reach, stand, start_of
 from kinetruss.studio.requested_runs import NAME, KeyFrame, Results, frames_of, travelled, way_of, with_way
+from kinetruss.units import parse
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray
@@ -61,6 +64,7 @@ class Desk:
         self.case: str | None = None
         self.frames: Sequence[KeyFrame] = ()
         self.asked: tuple[Linkage, ...] = ()  # found for the last task
+        self.grip: Grip | None = None
         self.kept = True  # False: the pose has changed since the changes were kept
         self.unkept = self.remark = self.key = ""
         self.offered = drafts.drawing() if drafts is not None and draw else None
@@ -269,8 +273,45 @@ class Desk:
             return self.model, self.pose.position
         found = self.drawing.found
         if found.model is None or found.position is None or found.apart:
-            raise InputError("No curve: the drawing is no closed model yet.")
+            raise InputError("No motion: the drawing is no closed model yet.")
         return found.model, found.position
+
+    def carry(self, places: Mapping[str, Sequence[Any]], drag: int | None) -> Answer:
+        """Nodes of a drawing dragged to places, m or text with units, with all lengths kept; drives follow.
+
+        Raises
+        ------
+        InputError : unknown nodes, or this is no closed drawing.
+        """
+        self._refuse_live()
+        if self.grip is None or drag is None or self.grip.number != drag or self.drawing.state.drag not in (None, drag):
+            self.grip = Grip(self.data, *self.closed(), drag)
+        wanted = {name: [float(parse(value, "length")) for value in place] for name, place in places.items()}
+        data = at_pose(self.grip.data, self.grip.model, self.grip.to(wanted))
+        if data == self.data:
+            return shown.drawing_of(self, light=drag is not None)
+        return self.take(data, f"moving {', '.join(list(places)[:3])}", drag=drag)
+
+    def _refuse_live(self) -> None:
+        if not self.draw:
+            raise InputError("This message is for a drawing.")
+
+    def put(self, values: Mapping[str, float]) -> Answer:
+        """The drawing in the pose of these drive values, m or rad.
+
+        Raises
+        ------
+        InputError : it cannot be reached, or this is no closed drawing.
+        """
+        self._refuse_live()
+        model, position = self.closed()
+        now = {name: value for name, (value, _) in self.drives().items()}
+        if unknown := [name for name in values if name not in now]:
+            raise InputError(f"No drive called {unknown[0]!r}. {nearest(unknown[0], now)}")
+        found = reach(model, position, now, values)
+        if found.stopped:
+            raise InputError(found.stopped)
+        return self.take(at_pose(self.data, model, found.position), "the other pose")
 
     def follow(self, frames: Sequence[KeyFrame], samples: int) -> bytes:
         """Follow key frames; returns a scene of the run and its worst instants."""

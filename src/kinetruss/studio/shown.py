@@ -17,6 +17,7 @@ from kinetruss.model import NodalForce, turns
 from kinetruss.results.user_parts import clamps
 from kinetruss.shelves import shelf, shelves
 from kinetruss.strength.curves import curves, factor_of, quantities_shown, sentence
+from kinetruss.studio import sweeps
 from kinetruss.studio.copies import CELLS
 from kinetruss.studio.edits import MEMBERS, ends_of, place_of, supports
 from kinetruss.studio.judging import LISTED_NODES, loose_ends, on_members
@@ -31,6 +32,8 @@ from kinetruss.viewer.support_marks import support_marks
 if TYPE_CHECKING:
     from collections.abc import Sequence
     from pathlib import Path
+
+    from numpy.typing import NDArray
 
     from kinetruss.model import Model
     from kinetruss.results import Forces
@@ -73,6 +76,8 @@ class Shown(Protocol):
     def instant(self, fine: bool = True) -> Instant: ...  # noqa: D102
 
     def limits(self, name: str) -> tuple[float, float, bool]: ...  # noqa: D102
+
+    def closed(self) -> tuple[Model, NDArray[np.float64]]: ...  # noqa: D102
 
 
 # A live model.
@@ -245,6 +250,26 @@ def drawing_of(session: Shown, light: bool = False) -> Record:
         "offered": session.offered is not None,
         **_history(drawing),
     }
+
+
+def film_of(session: Shown, drives: Sequence[str], rate: float | str | None, at_speed: bool) -> bytes:
+    """A motion of drives through their range: names and words in the header, float32 arrays over time after it."""
+    model, position = session.closed()
+    wanted = None
+    if rate is not None and drives:
+        wanted = float(parse(rate, "angular rate" if turns(model.all_drives.get(drives[0])) else "speed"))
+    forces = session.drawing.found.forces
+    if bent := forces is not None and not np.array_equal(forces.motion.whole["position"].values[0], position):
+        if at_speed:
+            raise InputError("Parts that bend or stretch are shown in equilibrium, at rest. Their inertia needs a run.")
+        found = sweeps.settled(sweeps.swept(model, position, drives, rate=wanted, samples=sweeps.FEWEST), model)
+    else:
+        found = sweeps.swept(model, position, drives, rate=wanted)
+    header, arrays = sweeps.film(found, model, at_speed)
+    blocks = {name: np.ascontiguousarray(values, "<f4") for name, values in arrays.items()}
+    table = {name: list(values.shape) for name, values in blocks.items()}
+    header = {"kind": "sweep", "revision": session.drawing.revision, "bent": bent, **header, "arrays": table}
+    return framed(header, *(values.tobytes() for values in blocks.values()))
 
 
 EACH = 4

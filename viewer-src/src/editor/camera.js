@@ -90,6 +90,11 @@ export class Camera {
     return base.map((value, k) => (k === axis ? at : value + far * this.toward[k]));
   }
 
+  /** What the view depends on, as a text. */
+  get key() {
+    return [this.scale, ...this.centre, this.azimuth, this.elevation, this.width, this.height, this.plane.axis, this.plane.at].join();
+  }
+
   /** The step of the grid, m. */
   get grid() {
     const step = niceStep(PIXELS / this.scale);

@@ -7,6 +7,7 @@ import { quantity } from "../format.js";
 import { symbolAt } from "../supports.js";
 import { Labels } from "./labels.js";
 import { bodies, springs } from "./marks.js";
+import { HANDS, spanOf } from "./measures.js";
 
 const LINES = 60; // most grid lines to either side
 const SUPPORT = 24; // pixels of the symbol of a support
@@ -20,7 +21,7 @@ export class Canvas {
   constructor(draw) {
     this.draw = draw;
     const layer = (name) => svg("g", { class: name });
-    this.layers = Object.fromEntries(["picture", "grid", "bodies", "curve", "apart", "task", "bars", "marks", "diagram", "nodes", "names", "rubber"].map((name) => [name, layer(name)]));
+    this.layers = Object.fromEntries(["picture", "grid", "bodies", "curve", "paths", "apart", "task", "bars", "marks", "diagram", "nodes", "names", "rubber"].map((name) => [name, layer(name)]));
     this.node = svg("svg", { class: "drawing", tabindex: 0, role: "application", "aria-label": "drawing; arrow keys move the cursor, Enter draws there, Tab leaves" }, ...Object.values(this.layers));
     this.names = new Labels();
     this.legend = el("div", { class: "legend", hidden: true });
@@ -57,66 +58,79 @@ export class Canvas {
     return this.seen[this.index.get(name)];
   }
 
-  update() {
+  /** quick : only places and forces are others than in the last picture. */
+  update(quick = false) {
     const { state, camera, picked, shown } = this.draw;
     if (!state || !this.bars) return;
     this.seen = state.places.map((place) => camera.project(place));
     this.grid();
-    this.paint(state, picked, shown);
+    this.paint(state, picked, shown, quick);
     const few = state.nodes.length <= MANY;
-    this.layers.names.setAttribute("display", shown.names && few ? "inline" : "none");
+    this.layers.names.setAttribute("display", (shown.names && few) || this.draw.gripped.size ? "inline" : "none");
     this.circles.forEach((circle, k) => {
       const [x, y] = this.seen[k];
       circle.setAttribute("cx", x.toFixed(2));
       circle.setAttribute("cy", y.toFixed(2));
-      circle.classList.toggle("picked", picked.nodes.has(state.nodes[k]));
+      if (!quick) circle.classList.toggle("picked", picked.nodes.has(state.nodes[k]));
     });
     this.place(state, picked, shown.names && few);
     this.marks(state);
     this.draw.picture.place(this.layers.picture);
     this.draw.curves.place(this.layers.curve);
     this.draw.task.place(this.layers.task);
+    this.draw.play.paths(this.layers.paths);
     this.rubber();
   }
 
-  paint(state, picked, shown) {
+  paint(state, picked, shown, quick) {
     const forces = this.draw.stale ? null : state.force; // not those before an edit that is computed
     const sizes = (forces || []).filter((value) => value !== null).map(Math.abs);
-    const largest = Math.max(...sizes, 0) || 1;
+    const { play } = this.draw, largest = (play.away && play.film.largest) || Math.max(...sizes, 0) || 1; // one scale for a whole motion
     this.legend.hidden = !shown.force || !sizes.some((value) => value > 0);
-    fill(this.legend, el("b", {}, "Force"), el("div", { class: "bar", style: `background: ${gradient("diverging")}` }), el("div", { class: "ticks" }, el("span", {}, quantity(-largest, "N")), el("span", {}, "0"), el("span", {}, quantity(largest, "N"))), el("div", { class: "words" }, el("span", {}, "compression"), el("span", {}, "tension")),
+    if (this.legend.dataset.of !== (this.legend.dataset.of = `${largest};${state.unsure.length}`)) fill(this.legend, el("b", {}, "Force"), el("div", { class: "bar", style: `background: ${gradient("diverging")}` }), el("div", { class: "ticks" }, el("span", {}, quantity(-largest, "N")), el("span", {}, "0"), el("span", {}, quantity(largest, "N"))), el("div", { class: "words" }, el("span", {}, "compression"), el("span", {}, "tension")),
       state.unsure.length ? el("div", {}, "?: not unique, in the colour of its kind") : null);
+    const unsure = new Set(state.unsure), told = !quick || state.members.length <= FEW;
     this.bars.forEach((bar, k) => {
       const { name, ends, kind } = state.members[k];
       const [a, b] = ends.map((end) => this.at(end));
       bar.setAttribute("d", path([a, b]));
       const force = forces?.[k] ?? null;
-      const sure = force !== null && !state.unsure.includes(name);
+      const sure = force !== null && !unsure.has(name);
       bar.style.stroke = shown.force && sure ? `rgb(${colourOf("diverging", force, [-largest, largest]).map(Math.round).join(" ")})` : KINDS[kind] || KINDS.rigid;
-      bar.classList.toggle("picked", picked.members.has(name));
-      bar.classList.toggle("apart", name in state.apart);
-      bar.classList.toggle("soft", kind === "elastic" || kind === "cable" || kind === "free");
-      this.tags[k].textContent = shown.force && force !== null ? `${name} ${quantity(Math.abs(force) < 1e-12 * largest ? 0 : force, "N")}${sure ? "" : " ?"}` : name;
+      if (!quick) {
+        bar.classList.toggle("picked", picked.members.has(name));
+        bar.classList.toggle("apart", name in state.apart);
+        bar.classList.toggle("soft", kind === "elastic" || kind === "cable" || kind === "free");
+      }
+      if (!told && !picked.members.has(name)) return;
+      this.tags[k].textContent = shown.lengths || this.touches(ends) ? `${name} ${spanOf(...ends.map((end) => this.draw.at(end)), state.dim)}` : shown.force && force !== null ? `${name} ${quantity(Math.abs(force) < 1e-12 * largest ? 0 : force, "N")}${sure ? "" : " ?"}` : name;
     });
+  }
+
+  /** Whether a member ends at a node that is dragged. */
+  touches(ends) {
+    return ends.some((end) => this.draw.gripped.has(end));
   }
 
   /** Names of nodes, of what is picked, and of members where there is room. */
   place(state, picked, named) {
     this.names.begin(this.seen);
-    if (named) this.labels.forEach((label, k) => this.names.node(label, this.seen[k]));
+    if (named || this.draw.gripped.size) this.labels.forEach((label, k) => (named ? this.names.node(label, this.seen[k]) : label.setAttribute("display", "none")));
     this.draw.diagram.place(this.layers.diagram, this.names.taken);
-    if (!named) return;
+    if (!named && !this.draw.gripped.size) return;
     const order = state.members.map((_, k) => k).sort((a, b) => picked.members.has(state.members[b].name) - picked.members.has(state.members[a].name));
     for (const k of order) {
-      const { name, ends, goes_on: more } = state.members[k], must = picked.members.has(name) && !more;
-      if ((state.members.length <= FEW && !more) || must) this.names.member(this.tags[k], this.at(ends[0]), this.at(ends[1]), must);
+      const { name, ends, goes_on: more } = state.members[k], must = !more && (picked.members.has(name) || this.touches(ends));
+      if ((named && state.members.length <= FEW && !more) || must) this.names.member(this.tags[k], this.at(ends[0]), this.at(ends[1]), must);
       else this.tags[k].setAttribute("display", "none");
     }
   }
 
   grid() {
     const { camera } = this.draw;
-    const [u, v] = camera.across, { grid } = camera;
+    const [u, v] = camera.across, { grid } = camera, key = `${camera.key},${grid},${camera.dim}`;
+    if (key === this.gridded) return;
+    this.gridded = key;
     const middle = camera.unproject([camera.width / 2, camera.height / 2]);
     if (!middle) {
       this.layers.grid.replaceChildren();
@@ -184,6 +198,11 @@ export class Canvas {
     if (rubber?.to) {
       const [x, y] = camera.project(rubber.to);
       parts.push(svg("circle", { class: "hint", cx: x, cy: y, r: 9 }));
+    }
+    const { pointed, tool } = this.draw;
+    if (pointed?.name && HANDS[tool]) {
+      const [x, y] = camera.project(pointed.at);
+      parts.push(svg("text", { class: "hand", x: x + 12, y: y + 24 }, HANDS[tool]));
     }
     if (cursor) {
       const [x, y] = camera.project(cursor);

@@ -55,7 +55,7 @@ export class Diagram {
   /** taken : boxes that names cover, to which those of the values are added. */
   place(layer, taken) {
     const { found, draw } = this, { camera } = draw;
-    if (!found || draw.stale) return layer.replaceChildren();
+    if (!found || draw.stale || draw.play.away) return layer.replaceChildren();
     const on = (points) => points.map((point) => camera.project(point));
     const values = [], shown = found.curves.flatMap((curve) => {
       const foot = on(curve.base), tips = on(curve.base.map((point, k) => point.map((x, i) => x + found.factor * curve.shift[k][i])));

@@ -11,21 +11,25 @@ import style from "./editor.css";
 import { Entries } from "./entries.js";
 import { Files } from "./files.js";
 import { Groups } from "./groups.js";
+import { HANDS } from "./measures.js";
 import { Picture } from "./picture.js";
+import { Play } from "./play.js";
 import { Properties } from "./properties.js";
 import { Readout } from "./readout.js";
 import { Starters } from "./starters.js";
 import { Status } from "./status.js";
+import { Sweep } from "./sweep.js";
 import { Take } from "./take.js";
 import { Text } from "./text.js";
 import { Tools } from "./tools.js";
 import { ToolRail } from "./rail.js";
+import { Welcome } from "./welcome.js";
 import { Whole } from "./whole.js";
 
 const OFTEN = 6; // moves of a drag after which the curve may follow
 const QUIET = new Set(["running"]); // asked again and again, beside what is drawn
 // what does not change the drawing; while anything else is computed, nothing is shown of the state before
-const ASIDE = { curve: "Computing the path ...", over: "Computing the diagram ...", run: "Starting the run ...", stop: "Stopping the run ...", ask: "Looking for linkages ...", starters: "Drawing the pictures ...", take: "Making the file ...", save: "Saving ...", keep: "Saving ...", versions: "Reading the versions ...", picture: "Saving the picture ..." };
+const ASIDE = { curve: "Computing the path ...", over: "Computing the diagram ...", sweep: "Computing the motion ...", run: "Starting the run ...", stop: "Stopping the run ...", ask: "Looking for linkages ...", starters: "Drawing the pictures ...", take: "Making the file ...", save: "Saving ...", keep: "Saving ...", versions: "Reading the versions ...", picture: "Saving the picture ..." };
 
 export function startDraw(root) {
   const sheet = document.createElement("style");
@@ -39,9 +43,9 @@ export function startDraw(root) {
 export class Draw extends Talk {
   constructor(root) {
     super(root);
-    Object.assign(this, { state: null, tool: "bar", snap: true, closed: true, cursor: null, rubber: null, pointed: null, several: false, moves: 0, stale: false });
+    Object.assign(this, { state: null, tool: "bar", snap: true, closed: true, cursor: null, rubber: null, pointed: null, gripped: new Set(), several: false, moves: 0, stale: false });
     this.picked = { nodes: new Set(), members: new Set() };
-    this.shown = { names: true, force: true };
+    this.shown = { names: true, force: true, lengths: false };
     this.theme = root.dataset.theme || (matchMedia("(prefers-color-scheme: dark)").matches ? "dark" : "light");
     root.dataset.theme = this.theme;
     this.camera = new Camera();
@@ -51,6 +55,8 @@ export class Draw extends Talk {
     this.curves = new Curves(this);
     this.diagram = new Diagram(this);
     this.readout = new Readout(this);
+    this.play = new Play(this);
+    this.welcome = new Welcome(this);
     this.canvas = new Canvas(this);
     this.status = new Status(this);
     this.properties = new Properties(this);
@@ -66,7 +72,7 @@ export class Draw extends Talk {
     this.tools = new Tools(this);
     const panel = el("aside", { class: "controls sketch", "aria-label": "drawing" }, el("div", { class: "head" }, this.banner, this.files.offer, this.status.node), el("div", { class: "parts" }, this.status.details, this.properties.node,
       this.starters.node, this.task.node, this.entries.runsNode, this.entries.node, this.groups.node, this.whole.node, this.curves.node, this.picture.node, this.text.node, this.takeAway.node, this.files.node));
-    root.replaceChildren(this.rail.node, el("main", {}, el("div", { class: "sheetpane" }, this.canvas.node, this.starters.strip, this.canvas.legend, this.diagram.told, this.doing, this.readout.node, this.spoken), panel));
+    root.replaceChildren(this.rail.node, el("main", {}, el("div", { class: "sheet" }, el("div", { class: "sheetpane" }, this.canvas.node, this.welcome.node, this.starters.strip, this.canvas.legend, this.diagram.told, this.doing, this.readout.node, this.spoken), this.play.node), panel));
     root.ownerDocument.addEventListener("keydown", (event) => this.rail.key(event));
   }
 
@@ -74,6 +80,15 @@ export class Draw extends Talk {
 
   get there() {
     return this.state;
+  }
+
+  /** Whatever changes the drawing begins at the pose that is drawn. */
+  ask(command, since) {
+    if (!(command.do in ASIDE) && !QUIET.has(command.do)) {
+      this.play.going ||= this.play.playing && command.do !== "put";
+      this.play.home();
+    }
+    return super.ask(command, since);
   }
 
   /** An edit: what it made is picked. */
@@ -93,14 +108,24 @@ export class Draw extends Talk {
   }
 
   /** Nodes to new places while they are dragged; of many wishes only the last counts. */
-  drag(places, number) {
-    this.wanted = { do: "move", places, drag: number };
+  drag(places, number, keep = false) {
+    this.wanted = { do: "move", places, drag: number, keep };
+    this.gripped = new Set(Object.keys(places));
     this.pump();
   }
 
   /** The drag has ended: everything is computed and kept. */
   dragged() {
-    this.ask({ do: "show" });
+    this.gripped = new Set();
+    return this.ask({ do: "show" });
+  }
+
+  /** Why a node that was dragged with all lengths kept has not moved. */
+  held(node) {
+    const { fixed, mobility } = this.state;
+    if (fixed[node]) return `${node} is held. Free it in the panel, or drag another node.`;
+    const stands = mobility && !mobility.freedoms ? "All lengths are kept, and nothing can move. " : "Nothing moves that way with all lengths kept. ";
+    return `${stands}Pick (V) drags a node and changes the lengths.`;
   }
 
   /** A drag goes first; a path that is shown follows it now and then. */
@@ -143,6 +168,10 @@ export class Draw extends Talk {
 
   // -- hearing -----------------------------------------------------------------------------------------------------
 
+  unpacked(buffer) {
+    return new Sweep(buffer);
+  }
+
   heard(answer) {
     if (answer.kind === "drawing") this.take(answer);
     else if (answer.kind === "moved") this.place(answer);
@@ -154,6 +183,7 @@ export class Draw extends Talk {
 
   /** A value that is not taken: every field shows again what holds. */
   refuse(message) {
+    this.play.going = false;
     this.curves.failed(message, this.waiting);
     this.tell(message, true);
     for (const part of [this.properties, this.whole, this.entries]) part.rebuild();
@@ -176,7 +206,8 @@ export class Draw extends Talk {
     this.canvas.rebuild();
     if (first || answer.dim !== dim) this.fit();
     this.curves.spoil();
-    for (const part of [this.rail, this.status, this.properties, this.whole, this.groups, this.entries, this.curves, this.diagram, this.text, this.files, this.starters, this.task, this.takeAway]) part.rebuild();
+    for (const part of [this.rail, this.welcome, this.status, this.properties, this.whole, this.groups, this.entries, this.curves, this.diagram, this.text, this.files, this.starters, this.task, this.takeAway]) part.rebuild();
+    this.play.spoil();
     if (running) this.entries.take(running);
     window.kinetruss.ready = true;
     this.root.dataset.state = "ready";
@@ -185,6 +216,7 @@ export class Draw extends Talk {
   place(answer) {
     Object.assign(this.state, answer, { kind: "drawing" });
     this.diagram.spoil();
+    this.play.spoil();
     this.canvas.update();
     this.curves.spoil();
     this.status.rebuild();
@@ -283,7 +315,9 @@ export class Draw extends Talk {
 
   setTool(tool) {
     this.tool = tool;
-    if (tool !== "pick") this.several = false;
+    if (!HANDS[tool]) this.several = false;
+    this.tools.grabbed = null;
+    this.canvas.node.dataset.tool = tool;
     this.tools.cancelAct();
     this.canvas.rubber();
     this.rail.rebuild();
@@ -294,6 +328,7 @@ export class Draw extends Talk {
   toggleTheme() {
     this.theme = this.theme === "dark" ? "light" : "dark";
     this.root.dataset.theme = this.theme;
+    this.play.curve();
   }
 
   // -- words -------------------------------------------------------------------------------------------------------

@@ -2,10 +2,12 @@
 
 import { el, press } from "../dom.js";
 import { field } from "./fields.js";
+import { HANDS } from "./measures.js";
 import { metres } from "./readout.js";
 
 const TOOLS = [
-  ["pick", "Pick", "v", "Pick and move: drag nodes, Shift adds to what is picked, Shift-drag draws a box (V)"],
+  ["pick", "Pick", "v", "Pick and change: drag nodes, lengths follow; Shift adds to what is picked, Shift-drag draws a box (V)"],
+  ["move", "Move", "m", "Move what is drawn: drag a node, all lengths are kept and drives follow (M)"],
   ["node", "Node", "n", "A node where you click (N)"],
   ["bar", "Bar", "b", "A bar from press to release, or from click to click; it makes the nodes it needs (B)"],
   ["positions", "Positions", "q", "Positions that a linkage shall take: press at a point of the body, release along its direction (Q)"],
@@ -25,6 +27,7 @@ export class ToolRail {
     this.fit = made("Fit", "Show all (F)", () => draw.fit());
     this.names = made("Names", "Names and forces (A)", () => this.toggle("names"));
     this.force = made("Forces", "Colour by force (C)", () => this.toggle("force"));
+    this.lengths = made("Lengths", "Lengths and angles (L)", () => this.toggle("lengths"));
     this.snap = made("Snap", "Snap to the grid (G)", () => this.toggleSnap());
     this.theme = made("◐", "Dark or light (D)", () => draw.toggleTheme());
     this.looks = el("span", { class: "group", role: "group", "aria-label": "view" }, ["corner", "top", "front", "side"].map((name) => el("button", { type: "button", title: `View: ${name}`, onclick: () => this.look(name) }, name[0].toUpperCase() + name.slice(1))));
@@ -34,7 +37,7 @@ export class ToolRail {
     this.node = el("header", { class: "toolbar rail" }, el("div", { class: "title" }, this.title, el("a", { href: "../", class: "operate" }, "Operate: sliders and forces")),
       el("div", { class: "tools" }, el("span", { class: "group", role: "group", "aria-label": "tools" }, [...this.tools.values()], this.several),
         el("span", { class: "group" }, this.undo, this.redo, this.delete),
-        el("span", { class: "group" }, this.fit, this.names, this.force, this.snap, this.theme, draw.diagram.node), this.grid, this.looks, this.plane));
+        el("span", { class: "group" }, this.fit, this.names, this.force, this.lengths, this.snap, this.theme, draw.diagram.node), this.grid, this.looks, this.plane));
   }
 
   toggle(name) {
@@ -51,7 +54,7 @@ export class ToolRail {
   /** For fingers, which have no Shift. */
   toggleSeveral() {
     this.draw.several = !this.draw.several;
-    if (this.draw.several) this.draw.setTool("pick");
+    if (this.draw.several && !HANDS[this.draw.tool]) this.draw.setTool("pick");
     this.rebuild();
   }
 
@@ -73,6 +76,7 @@ export class ToolRail {
     press(this.several, draw.several);
     press(this.names, draw.shown.names);
     press(this.force, draw.shown.force);
+    press(this.lengths, draw.shown.lengths);
     press(this.snap, draw.snap);
     if (!state) return;
     this.title.textContent = `${state.file || "Untitled drawing"}${state.dirty ? " (not saved)" : ""}`;
@@ -130,9 +134,11 @@ export class ToolRail {
     else if (turn) { draw.camera.turn(...turn); draw.canvas.update(); }
     else if (key === "Delete" || key === "Backspace") draw.remove();
     else if (key === "Escape") draw.tools.escape();
+    else if (key === " " && !target.closest("button, a, summary")) draw.play.toggle();
     else if (key === "f") draw.fit();
     else if (key === "a") this.toggle("names");
     else if (key === "c") this.toggle("force");
+    else if (key === "l") this.toggle("lengths");
     else if (key === "g") this.toggleSnap();
     else if (key === "d") draw.toggleTheme();
     else return;

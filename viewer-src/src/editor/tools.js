@@ -1,9 +1,13 @@
 // What pointer and keys do in the drawing: pick and move, nodes, bars; pan, turn and approach.
 
 import { clean } from "./camera.js";
+import { HANDS } from "./measures.js";
 
 const SLACK = 4; // pixels that a click may move
 const FEW_KEYS = { ArrowLeft: [-1, 0], ArrowRight: [1, 0], ArrowUp: [0, 1], ArrowDown: [0, -1] };
+
+/** The number of a drag: its moves are one step of undo. */
+const stroke = () => Math.floor(Math.random() * 2 ** 50);
 
 export class Tools {
   constructor(draw) {
@@ -60,7 +64,8 @@ export class Tools {
     }
     if (draw.picture.placing) return draw.picture.click(place);
     const hit = draw.canvas.hit(place, touch);
-    if (draw.tool === "pick") this.begin(hit, place, event);
+    if (!HANDS[draw.tool] && draw.play.away) return this.back();
+    if (HANDS[draw.tool]) this.begin(hit, place, event);
     else if (draw.task.takes(draw.tool)) this.act = draw.task.begin(draw.tool, place, this.target(place, touch));
     else this.act = { kind: draw.tool, start: place, from: this.target(place, touch) };
   }
@@ -73,7 +78,7 @@ export class Tools {
     }
     if (more) draw.toggle(hit);
     else if (!draw.isPicked(hit)) draw.pick(hit);
-    if (hit.type === "node") this.act = { kind: "drag", start: place, node: hit.name, from: Object.fromEntries([...draw.picked.nodes].map((name) => [name, draw.at(name)])), number: Math.floor(Math.random() * 2 ** 50) };
+    if (hit.type === "node") this.act = { kind: "drag", start: place, node: hit.name, from: Object.fromEntries([...draw.picked.nodes].map((name) => [name, draw.at(name)])), number: stroke() };
     else this.act = { kind: "none" };
   }
 
@@ -105,11 +110,18 @@ export class Tools {
     const { draw } = this;
     if (draw.closed) return;
     const hit = draw.canvas.hit(place);
-    if (draw.tool === "pick") return this.point(hit?.type === "node" ? { name: hit.name, at: draw.at(hit.name) } : null);
+    if (HANDS[draw.tool]) return this.point(hit?.type === "node" ? { name: hit.name, at: draw.at(hit.name) } : null);
     const point = hit?.type === "node" ? draw.at(hit.name) : draw.camera.unproject(place);
     const to = point && (hit?.type === "node" ? point : draw.snapped(point));
     draw.rubber = to ? { from: this.pending?.point, to } : null;
     draw.canvas.rubber();
+  }
+
+  /** One draws in the pose that is drawn. */
+  back() {
+    this.act = null;
+    this.draw.play.home();
+    this.draw.tell("This is the pose that is drawn: draw here. Or stop the motion where you want, and choose Keep this pose.");
   }
 
   /** What the readout tells of the pointer. */
@@ -123,14 +135,15 @@ export class Tools {
   drag(place) {
     const { draw, act } = this, own = act.from[act.node];
     if (!act.moved && Math.hypot(place[0] - act.start[0], place[1] - act.start[1]) <= SLACK) return;
+    if (draw.play.away) return this.back();
     const to = draw.camera.unproject(place, own[draw.camera.plane.axis] || 0);
     if (!to) return draw.tell("The work plane is seen edge-on. Turn the view, or choose another plane.", true);
     act.moved = true;
-    const there = draw.snapped(to, new Set(Object.keys(act.from)));
+    const keep = draw.tool === "move", there = keep ? to : draw.snapped(to, new Set(Object.keys(act.from)));
     const places = {};
     for (const [name, from] of Object.entries(act.from)) places[name] = from.map((value, k) => (k === draw.camera.plane.axis || there[k] === own[k] ? value : clean(value + there[k] - own[k]))).slice(0, draw.camera.dim);
     draw.pointed = { name: act.node, at: places[act.node] };
-    draw.drag(places, act.number);
+    draw.drag(places, act.number, keep);
   }
 
   up(event) {
@@ -138,13 +151,24 @@ export class Tools {
     this.pointers.delete(event.pointerId);
     this.act = null;
     draw.rubber = null;
+    if (act?.kind === "drag") draw.pointed = null;
     if (act?.kind === "pan" && act.clear) draw.pick(null);
-    else if (act?.kind === "drag" && act.moved) draw.dragged();
+    else if (act?.kind === "drag" && act.moved) this.release(act);
     else if (act?.kind === "box") draw.pickBox(act.start, place);
     else if (act?.kind === "ask") draw.task.end(act);
     else if (act?.kind === "node" && act.from) this.drawNode(act.from);
     else if (act?.kind === "bar" && act.from) this.drawBar(act, place, event.pointerType === "touch");
     draw.canvas.rubber();
+  }
+
+  /** The end of a drag; of one that has moved nothing, why. */
+  release({ node, from }) {
+    const { draw } = this;
+    if (draw.tool === "move") {
+      draw.dragged().then(() => {
+        if (draw.at(node).every((value, k) => value === from[node][k])) draw.tell(draw.held(node), true);
+      });
+    } else draw.dragged();
   }
 
   cancel(event) {
@@ -233,7 +257,10 @@ export class Tools {
     const { draw } = this, { camera } = draw;
     if (event.ctrlKey || event.metaKey || event.altKey) return;
     const way = FEW_KEYS[event.key];
-    if (way) {
+    if (way && this.grabbed) {
+      event.preventDefault();
+      this.nudge(way, event.shiftKey);
+    } else if (way) {
       event.preventDefault();
       const [u, v] = camera.across, step = camera.grid * (event.shiftKey ? 10 : 1);
       const start = draw.cursor || camera.snapped(camera.unproject([camera.width / 2, camera.height / 2]) || [0, 0, 0]);
@@ -254,8 +281,29 @@ export class Tools {
     }
   }
 
+  /** A node in the hand of the keys goes on by a quarter of a step of the grid (Shift: a whole one). */
+  nudge(way, whole) {
+    const { draw } = this, { camera } = draw, { node, number } = this.grabbed;
+    if (draw.play.away) return this.back();
+    const to = [...((draw.waiting && this.grabbed.to) || draw.at(node))]; // pressed again before the answer: further
+    camera.across.forEach((axis, k) => (to[axis] = clean(to[axis] + (way[k] * camera.grid) / (whole ? 1 : 4))));
+    draw.drag({ [node]: draw.cut(to) }, number, true);
+    Object.assign(this.grabbed, { to, moved: true });
+  }
+
+  /** Take a node into the hand of the keys, or let it go. */
+  grab(node) {
+    const { draw } = this, before = this.grabbed;
+    this.grabbed = node ? { node, number: stroke() } : null;
+    if (before?.moved) draw.dragged();
+    if (node) draw.say(`${node} is in your hand: arrows move it, all lengths are kept; Enter lets it go`);
+    this.point(node ? { name: node, at: draw.at(node) } : null);
+  }
+
   /** Nothing begun, no cursor, nothing picked. */
   escape() {
+    if (this.grabbed) return this.grab(null);
+    if (this.draw.play.away) return this.draw.play.home();
     this.cancelAct();
     this.setCursor(null);
     this.draw.pick(null);
@@ -266,10 +314,15 @@ export class Tools {
     const place = draw.camera.project(draw.cursor);
     const hit = draw.canvas.hit(place);
     const target = hit?.type === "node" ? { node: hit.name, point: draw.at(hit.name) } : { point: draw.cursor };
+    if (!HANDS[draw.tool] && draw.play.away) return this.back();
     if (draw.tool === "node") this.drawNode(target);
     else if (draw.tool === "bar") this.clickBar(target);
     else if (draw.task.takes(draw.tool)) draw.task.enter(draw.tool, target.point);
-    else if (event.shiftKey && hit) draw.toggle(hit);
+    else if (draw.tool === "move" && this.grabbed) this.grab(null);
+    else if (draw.tool === "move" && target.node) {
+      draw.pick(hit);
+      this.grab(target.node);
+    } else if (event.shiftKey && hit) draw.toggle(hit);
     else draw.pick(hit);
   }
 }

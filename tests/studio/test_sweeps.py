@@ -1,0 +1,124 @@
+"""Drives through their range, as a drawing plays them: closed forms of poses, forces and of where they block."""
+
+from __future__ import annotations
+
+import json
+import math
+
+import numpy as np
+import pytest
+
+import kinetruss as kt
+from four_bars import four_bar
+from kinetruss.studio import Session
+from kinetruss.studio.sweeps import film, swept
+
+
+def crank(mass: float = 0.0, radius: float = 0.2) -> kt.Model:
+    """A crank upright about A, with 100 N down at its tip B."""
+    return kt.Model(
+        nodes={"A": (0, 0), "B": kt.Node(at=(0, radius), mass=mass)}, fixed={"A": "xy"}, bars={"b": ("A", "B")},
+        drives={"motor": kt.AngleDrive("b")}, loads={"F": kt.NodalForce(node="B", force=(0, -100))}, gravity=(0, 0),
+    )  # fmt: skip
+
+
+def test_a_crank_turns_all_round_and_its_torque_and_reaction_are_those_of_the_lever():
+    model = crank()
+    found = swept(model, kt.kinematics.assemble(model), ["motor"])
+    header, arrays = film(found, model)
+    angle = found.values[:, 0]
+    assert found.whole
+    assert (found.here, found.ends) == (0, ("", ""))
+    np.testing.assert_allclose(angle, np.linspace(math.pi / 2, 2.5 * math.pi, len(angle)), atol=1e-12)
+    tip = 0.2 * np.column_stack([np.cos(angle), np.sin(angle)])
+    np.testing.assert_allclose(arrays["position"][:, 1], tip, atol=1e-14)
+    np.testing.assert_allclose(arrays["drive_force"][:, 0], 100 * tip[:, 0], atol=1e-10)  # it works against the load
+    np.testing.assert_allclose(arrays["reaction"][:, header["supports"].index("A")], [[0, 100]] * len(angle), atol=1e-10)
+
+
+def test_at_speed_the_support_carries_the_centripetal_force():
+    mass, rate = 3.0, 10.0
+    model = crank(mass)
+    found = swept(model, kt.kinematics.assemble(model), ["motor"], rate=rate)
+    assert found.time[-1] == pytest.approx(2 * math.pi / rate)
+    angle = found.values[:, 0]
+    inward = -mass * 0.2 * rate**2 * np.column_stack([np.cos(angle), np.sin(angle)])
+    for at_speed in (False, True):
+        _, arrays = film(found, model, at_speed)
+        np.testing.assert_allclose(arrays["reaction"][:, 0], inward * at_speed + [0, 100], atol=1e-9)
+
+
+def test_a_four_bar_blocks_where_rod_and_rocker_are_in_line():
+    a, b, c, ground = 0.3, 0.2, 0.25, 0.5
+    model = four_bar((a, b, c), ground, 0.8)
+    found = swept(model, kt.kinematics.assemble(model), ["motor"])
+    end = math.acos((a**2 + ground**2 - (b + c) ** 2) / (2 * a * ground))  # law of cosines
+    angle = found.values[:, 0]
+    assert not found.whole
+    assert angle[-1] == pytest.approx(end, abs=math.radians(0.1))
+    assert angle[0] == pytest.approx(-end, abs=math.radians(0.1))
+    assert np.abs(angle).max() < end
+    for words in found.ends:
+        assert words.startswith("motor blocks at ")
+        assert words.endswith("rod and rocker are in line at C.")
+    x = found.position
+    for p, q, length in ((0, 1, a), (1, 2, b), (3, 2, c)):
+        np.testing.assert_allclose(np.linalg.norm(x[:, p] - x[:, q], axis=1), length, atol=1e-12)
+    inner = slice(len(angle) // 4, 3 * len(angle) // 4)  # away from the ends, where rates grow without bound
+    rates = np.gradient(x, found.time, axis=0, edge_order=2)
+    np.testing.assert_allclose(found.velocity[inner], rates[inner], atol=2e-3 * np.abs(rates[inner]).max())
+
+
+def test_the_work_of_the_drive_is_that_of_the_load():
+    model = four_bar((0.1, 0.35, 0.3), 0.4)
+    found = swept(model, kt.kinematics.assemble(model), ["motor"])
+    assert found.whole
+    _, arrays = film(found, model)
+    torque, height = arrays["drive_force"][:, 0], arrays["position"][:, 2, 1]
+    work = np.r_[0, np.cumsum(np.diff(found.values[:, 0]) * (torque[1:] + torque[:-1]) / 2)]
+    np.testing.assert_allclose(work, 100 * (height - height[0]), atol=1e-4 * np.ptp(100 * height))
+
+
+def test_a_jack_goes_through_its_limits_and_several_drives_go_together():
+    bars = {"boom": kt.Bar(ends=("A", "B")), "jack": kt.Bar(ends=("C", "B"), kind="driven")}
+    model = kt.Model(nodes={"A": (0, 0), "B": (1, 0.3), "C": (0.5, -0.5)}, fixed={"A": "xy", "C": "xy"}, bars=bars)
+    found = swept(model, kt.kinematics.assemble(model), ["jack"])
+    start = math.hypot(0.5, 0.8)
+    assert found.values[found.here, 0] == pytest.approx(start, abs=1e-12)
+    np.testing.assert_allclose(found.values[[0, -1], 0], [0.6 * start, 1.5 * start], atol=1e-9)
+    assert (np.diff(found.time) > 0).all()
+    legs = {"boom": kt.Bar(ends=("A", "B"), kind="driven"), "jack": bars["jack"]}
+    both = swept(model.with_(bars=legs), kt.kinematics.assemble(model), ["boom", "jack"])
+    np.testing.assert_allclose(both.values[both.here], [math.hypot(1, 0.3), start], atol=1e-12)
+    share = (both.values - both.values[both.here]) / (both.values[-1] - both.values[both.here])
+    np.testing.assert_allclose(share[both.here :, 0], share[both.here :, 1], atol=1e-9)
+
+
+def unpacked(answer: bytes) -> tuple[dict, dict[str, np.ndarray]]:
+    size = int.from_bytes(answer[:4], "little")
+    header, at, found = json.loads(answer[4 : 4 + size]), 4 + size, {}
+    for name, shape in header["arrays"].items():
+        found[name] = np.frombuffer(answer, "<f4", math.prod(shape), at).reshape(shape)
+        at += found[name].nbytes
+    assert at == len(answer)
+    return header, found
+
+
+def test_a_page_gets_the_motion_or_why_there_is_none_and_takes_over_a_pose_of_it():
+    desk = Session(crank(), draw=True)
+
+    def ask(**command) -> dict | bytes:
+        return desk.answer(json.dumps(command))
+
+    header, arrays = unpacked(ask(do="sweep", drives=["motor"], rate="720 deg/s"))
+    assert (header["kind"], header["whole"], header["revision"]) == ("sweep", True, desk.drawing.revision)
+    assert arrays["time"][-1] == pytest.approx(0.5)
+    assert "No drive called 'moter'" in ask(do="sweep", drives=["moter"])["message"]
+    assert "has no drive" in ask(do="sweep", drives=[])["message"]
+    assert "not an angular rate" in ask(do="sweep", drives=["motor"], rate="10 mm/s")["message"]
+    assert "above 0" in ask(do="sweep", drives=["motor"], rate=-1)["message"]
+    put = ask(do="put", values={"motor": math.radians(30)})
+    np.testing.assert_allclose(put["places"][1], [0.2 * math.cos(math.radians(30)), 0.1], atol=1e-14)
+    assert put["undo"] == "the other pose"
+    loose = Session(crank().with_(drives={}), draw=True)
+    assert "no drive" in loose.answer(json.dumps({"do": "sweep", "drives": []}))["message"]
