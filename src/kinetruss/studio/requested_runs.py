@@ -21,13 +21,11 @@ from kinetruss.model import Model, Quintic, Run, Spline, nearest
 from kinetruss.model.runs import MISSION
 from kinetruss.runs import MissionRun, RunResult
 from kinetruss.runs.doubts import remarks
-from kinetruss.studio.poses import LEAST, number, range_of
+from kinetruss.studio.poses import number
 from kinetruss.studio.taken import File, Form, taken
 from kinetruss.viewer import page, scene
 
 if TYPE_CHECKING:
-    pass
-
     from kinetruss.studio.edits import Data
 
 
