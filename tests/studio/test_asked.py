@@ -51,15 +51,15 @@ def test_a_linkage_that_was_found_comes_into_the_drawing_and_passes(drawing):
     first = answer["rows"][0]
     assert max(first["error"], 1e-9) == 1e-9
     assert len(first["picture"]["path"]) > 30
-    put = say(drawing, do="put", number=0)
+    put = say(drawing, do="choose", number=0)
     assert put["made"] == {"member": "crank"}
     assert passes(drawing.model, "through", "P", (0.4, 0.6))
     # another one takes its place, or stands beside it under other names once something else was done
-    say(drawing, do="put", number=1)
+    say(drawing, do="choose", number=1)
     assert list(drawing.model.bars) == ["crank", "rocker"]
     say(drawing, do="set", path=["title"], value="two")
     slider = next(k for k, row in enumerate(answer["rows"]) if row["kind"] == "slider-crank")
-    say(drawing, do="put", number=slider)
+    say(drawing, do="choose", number=slider)
     model = drawing.model
     assert list(model.bars) == ["crank", "rocker", "crank2"]
     assert list(model.links) == ["coupler", "coupler2"]
@@ -71,7 +71,7 @@ def test_a_linkage_that_was_found_comes_into_the_drawing_and_passes(drawing):
 def test_what_is_no_task_is_said_and_changes_nothing(drawing):
     assert "3, 4 or 5" in say(drawing, do="ask", positions=FLAP[:2])["message"]
     assert say(drawing, do="ask")["kind"] == "error"
-    assert "Ask again" in say(drawing, do="put", number=0)["message"]
+    assert "Ask again" in say(drawing, do="choose", number=0)["message"]
     assert not drawing.data["nodes"]
 
 
@@ -79,7 +79,7 @@ def test_a_linkage_is_not_put_into_space(drawing):
     say(drawing, do="ask", positions=FLAP)
     say(drawing, do="fresh", dim=3)
     say(drawing, do="add", at=[0, 0, 0])
-    assert "plane" in say(drawing, do="put", number=0)["message"]
+    assert "plane" in say(drawing, do="choose", number=0)["message"]
 
 
 @pytest.mark.parametrize("name", STARTERS)

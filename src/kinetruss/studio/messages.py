@@ -380,7 +380,7 @@ def ask(
 
 
 @message
-def put(session: Session, number: Annotated[int, Field(ge=0, le=1000)]) -> Answer:
+def choose(session: Session, number: Annotated[int, Field(ge=0, le=1000)]) -> Answer:
     """One of the linkages that were found, into the drawing, in place of the one put there just before."""
     if number >= len(session.asked):
         raise InputError("This linkage is not known any more. Ask again.")

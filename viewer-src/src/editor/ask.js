@@ -183,7 +183,7 @@ export class Ask {
   }
 
   async put(k) {
-    const answer = await this.draw.edit({ do: "put", number: k });
+    const answer = await this.draw.edit({ do: "choose", number: k });
     if (answer.kind === "drawing") this.draw.reveal();
   }
 }
