@@ -24,6 +24,7 @@ ROUGH, NOISE = 1e-4, 1e-13
 """Fractions of a change, and of a value, by which differences of second order over one and two steps may differ."""
 FINER = (1.0, 0.1, 0.01, 1e-3)
 """Steps for numbers that act strongly nonlinear, as fractions of the usual."""
+GOLDEN = (5**0.5 - 1) / 2
 LEAK = 1e-9
 """Fraction of a change beyond which it is not near what causes it."""
 
@@ -51,7 +52,7 @@ def differences(
     count : of nodes. few_act : first ask whether a change has an effect at all. Numbers whose effects are not where they are
     expected are taken one by one.
     """
-    found = np.zeros((len(given.weight), len(step)))
+    found, step = np.zeros((len(given.weight), len(step))), uneven(step)
     wanted = [k for k in range(len(step)) if step[k]]
     groups = [[wanted[j] for j in group] for group in colours([near[k] for k in wanted], count)]
     here = given.of(np.zeros_like(step)) if few_act and wanted else None
@@ -73,6 +74,11 @@ def differences(
         onto = csr_array((change[kept], (kept, own[kept])), shape=(len(change), len(group)))
         found[:, group] = (onto.T @ given.weight.T).T
     return found / np.where(step, step, 1.0)
+
+
+def uneven(step: Floats) -> Floats:
+    """Steps of several sizes, so that the effects of equal parts of a model on what all share do not cancel unseen."""
+    return step * (1.0 - 0.4 * np.modf(GOLDEN * np.arange(len(step)))[0])
 
 
 def _change(

@@ -12,7 +12,7 @@ from typing import TYPE_CHECKING, Any, NamedTuple
 import numpy as np
 
 from kinetruss.errors import AnalysisError
-from kinetruss.gradients.differences import FOUR, LEAK
+from kinetruss.gradients.differences import FOUR, LEAK, uneven
 from kinetruss.gradients.nearness import Near, colours
 
 if TYPE_CHECKING:
@@ -51,7 +51,7 @@ def by_states(of: Callable[[Floats], Floats], given: Weights, by: Unknowns, *, s
     ------
     AnalysisError : a value has a kink or a jump there.
     """
-    found = np.zeros((len(given.value), *by.value.shape))
+    found, by = np.zeros((len(given.value), *by.value.shape)), by._replace(step=uneven(by.step))
     used = np.flatnonzero(np.abs(given.value).max(axis=(0, 1), initial=0.0))
     if not len(used):
         return found
