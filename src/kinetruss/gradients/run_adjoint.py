@@ -74,9 +74,7 @@ class Columns(NamedTuple):
         """By the nodes near each coordinate."""
         return cls(colours(near, count), [*near], count)
 
-    def found(
-        self, change: Callable[[list[int]], Floats], site: NDArray[np.int64]
-    ) -> Iterator[tuple[int, Any, Floats]]:
+    def found(self, change: Callable[[list[int]], Floats], site: NDArray[np.int64]) -> Iterator[tuple[int, Any, Floats]]:
         """Column, places of values, and the change (.., places) of these; change : of all values (.., m) for a group.
 
         site (m,) : the node of each value, -1 unknown.

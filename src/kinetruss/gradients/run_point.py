@@ -150,7 +150,10 @@ class RunPoint:
 
     @cached_property
     def _base(self) -> _At:
-        x, v = given_positions(self.problem.system, self.options.positions), given_velocities(self.problem.system, self.options.velocities)
+        x, v = (
+            given_positions(self.problem.system, self.options.positions),
+            given_velocities(self.problem.system, self.options.velocities),
+        )
         return _At(self.problem.fresh(), (x, v), np.zeros_like(x))
 
     def _made(self, system: System, model: Model) -> _At:
@@ -183,9 +186,13 @@ class RunPoint:
         def told(which: NDArray[np.int64]) -> bool:
             change = np.zeros(count)
             change[which] = CLOSE * by.scale[which]
-            one, two, base = (self._values(at, read) for at in (*(self._changed(by, change, anew) for anew in (False, True)), self._base))
+            one, two, base = (
+                self._values(at, read) for at in (*(self._changed(by, change, anew) for anew in (False, True)), self._base)
+            )
             if one.shape != two.shape or one.shape != base.shape:
                 return False
+            other = one != two
+            one, two, base = (values[other] for values in (one, two, base))
             size = np.maximum(np.abs(one), np.abs(base))
             return bool((np.abs(one - two) <= 1e-3 * np.abs(two - base) + 1e-9 * CLOSE * size).all())
 
@@ -253,7 +260,12 @@ class RunPoint:
         found, count = [], len(states.t)
         if read.others:
             work = copy(self.work)
-            work.problem, work.angles, work.worst, work.ended = at.problem, self.work.angles.copy(), self.work.worst.copy(), False
+            work.problem, work.angles, work.worst, work.ended = (
+                at.problem,
+                self.work.angles.copy(),
+                self.work.worst.copy(),
+                False,
+            )
             whole = simulation_of(work, at.trace(states))
             parts = {"result": whole, "motion": whole.motion, "forces": whole.forces}
         for name in read.names:
@@ -341,7 +353,11 @@ class RunPoint:
             row, trace = self._base.problem.eq.row, self.trace
             states = States(trace.t, trace.x, trace.v, trace.a, trace.N[:, row]).part(places)
         part = {
-            name: "result" if self._records[name] is self.result else "motion" if self._records[name] is self.result.motion else "forces"
+            name: "result"
+            if self._records[name] is self.result
+            else "motion"
+            if self._records[name] is self.result.motion
+            else "forces"
             for name in names
         }
         read = _Reading(names, kept, part, any(name not in PLAIN for name in names), states)
@@ -400,8 +416,7 @@ class RunPoint:
         if read.others or read.weight[..., -max(1, len(self.problem.events)) :].any():
             sx = by("x", eq.free, vary.reach * vary.length, vary.columns, vary.points)
             sv, sa = (
-                by(name, eq.free, np.full(f, 1e-3 * size), vary.columns)
-                for name, size in (("v", sizes[0]), ("a", sizes[1]))
+                by(name, eq.free, np.full(f, 1e-3 * size), vary.columns) for name, size in (("v", sizes[0]), ("a", sizes[1]))
             )
             sN = by("N", np.arange(r), np.full(r, 1e-3 * sizes[2]), alone)
         else:
@@ -437,7 +452,10 @@ class RunPoint:
             rate = self._rates(read)
             for j, (_, t, of_time, stops) in enumerate(met):
                 m = int(np.flatnonzero(read.states.t == t)[0])
-                own, size = rate[m, k + j], float(np.abs(read.sx[m, k + j]) @ np.abs(read.states.v[m, self._base.problem.eq.free]))
+                own, size = (
+                    rate[m, k + j],
+                    float(np.abs(read.sx[m, k + j]) @ np.abs(read.states.v[m, self._base.problem.eq.free])),
+                )
                 if not abs(own) > 1e-9 * size or own == 0.0:
                     raise AnalysisError(f"What is watched only touches its value at t = {t:.6g} s; that time has no gradient.")
                 for i in range(k):
@@ -485,7 +503,9 @@ class RunPoint:
     def _states(self, work: Any, t: Floats) -> States:
         found = work.advance(t)
         if len(found.t) < len(t):
-            raise AnalysisError(f"The run cannot be repeated beyond t = {found.t[-1]:.6g} s. Run it again with tighter tolerances.")
+            raise AnalysisError(
+                f"The run cannot be repeated beyond t = {found.t[-1]:.6g} s. Run it again with tighter tolerances."
+            )
         return States(found.t, found.x, found.v, found.a, np.ascontiguousarray(found.N[:, self._base.problem.eq.row]))
 
     @cached_property
@@ -574,7 +594,13 @@ class RunPoint:
         if moved or np.any(v) or np.any(self.problem.v0[free]):
             return self._of_projected_start(by, adjoint)
         eq, ws = base.problem.eq, base.problem.ws
-        still = States(np.zeros(1), self.problem.x0[None], self.problem.v0[None], np.zeros((1, base.shift.size)), np.zeros((1, len(eq.row))))
+        still = States(
+            np.zeros(1),
+            self.problem.x0[None],
+            self.problem.v0[None],
+            np.zeros((1, base.shift.size)),
+            np.zeros((1, len(eq.row))),
+        )
         tangent = self._varying.tangent(still)
         halves = np.concatenate([adjoint[:, :f], adjoint[:, f:]])[None]
         # M q + J^T n = l, J q = 0 : n is what the gaps of the rows count
@@ -645,7 +671,9 @@ def _refuse(problem: Problem, options: Options) -> None:
         "motors with an input switch (friction, saturation): give the drives motions or forces": problem.motors is not None,
         "the user's force has no derivatives: give it as a load": options.user_force is not None,
         "drives are fed back: give them motions or forces": options.feedback is not None,
-        "the base rotates: take one that does not": problem.user.given and options.user_force is None and options.feedback is None,
+        "the base rotates: take one that does not": problem.user.given
+        and options.user_force is None
+        and options.feedback is None,
         "there is dry friction in bearings: leave it out": bool(model.bearings),
         "rigid links keep the shape of beams: make them elastic, or bars": problem.shapes is not None,
         "the start is at or near a singular position: start beside it": bool(problem.singular and problem.singular.near),
