@@ -1,4 +1,4 @@
-"""Gradients of forward runs: closed forms, differences of tight runs, the adjoint's order and invariant, and what is refused."""
+"""Gradients of forward runs: closed forms, differences of tight runs, order and invariant of the adjoint, refusals."""
 
 from __future__ import annotations
 
@@ -110,7 +110,8 @@ def test_oscillator(method: object):
 
 @pytest.mark.parametrize(
     "text",
-    ["final(position[B, x])", "final(acceleration[A, y])", "max(abs(member_force[a]))", "rms(reaction[O, x])", "final(kinetic_energy)"],
+    ["final(position[B, x])", "final(acceleration[A, y])", "max(abs(member_force[a]))", "rms(reaction[O, x])",
+     "final(kinetic_energy)"],
 )  # fmt: skip
 def test_double_pendulum_beside_differences(text: str):
     wrt = ["nodes.A.mass", "nodes.B.mass", "bars.b.mass", "nodes.A.at.0", "nodes.O.at.0", "gravity.1"]
@@ -220,7 +221,7 @@ def test_the_measured_error_follows_the_length_of_cells(monkeypatch: pytest.Monk
     errors = []
     for share in (2.0, 12.0):
         monkeypatch.setitem(run_point.SHARE, "DOP853", share)
-        read = point._reading(by, [seeds])
+        read = point._reading([seeds])
         point._anew = np.zeros(1, bool)
         errors.append(point._swept(by, read)[2])
     assert errors[0] < 3e-10
