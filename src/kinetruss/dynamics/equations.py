@@ -84,7 +84,7 @@ def with_numbers(
     its own.
     """
     reduced = released(system, not_prescribed(system, tasks))
-    fields, column = _fields(system, reduced, load_case, tasks, _motions(system, tasks, trajectory, t_end))
+    fields, _ = _fields(system, reduced, load_case, tasks, _motions(system, tasks, trajectory, t_end))
     return eq.with_(**(fields | _sums(system, eq.row, fields) | {"value": _values(system, eq.row)}))
 
 

@@ -1,4 +1,4 @@
-"""The variation of a motion between two instants, turned round: what a change of the state at the end owes to that at the start.
+"""The variation of a motion between two instants, turned round: what the state at the end owes to that at the start.
 
 Small changes of a motion M a + J^T N = f, J a = gamma obey
 
@@ -16,6 +16,7 @@ from __future__ import annotations
 from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass
 from functools import cached_property
+from itertools import pairwise
 from typing import TYPE_CHECKING, Any, NamedTuple
 
 import numpy as np
@@ -62,12 +63,12 @@ class States(NamedTuple):
 class Columns(NamedTuple):
     """Columns by free coordinates that one evaluation finds together: of no two of a group are nodes near both.
 
-    near : of each coordinate. count : of nodes.
+    near : of each coordinate. nodes : how many there are.
     """
 
     groups: list[list[int]]
     near: list[Near]
-    count: int
+    nodes: int
 
     @classmethod
     def of(cls, near: Sequence[Near], count: int) -> Columns:
@@ -84,7 +85,7 @@ class Columns(NamedTuple):
             if len(group) == 1:
                 yield group[0], slice(None), moved
                 continue
-            label = np.full(self.count + 1, -1)  # the last is of what is nowhere
+            label = np.full(self.nodes + 1, -1)  # the last is of what is nowhere
             for j in group:
                 label[[*(self.near[j] or ())]] = j
             own = label[site]
@@ -99,8 +100,8 @@ class Columns(NamedTuple):
 
 @dataclass(frozen=True, eq=False)
 class Tangent:
-    """Derivatives at instants: rx, rv (s, m', free) of the residual of what is kept, at fixed a and N; M (f, f) or (s, f, f) and J
-    (s, rows, f) of M a + J^T N = f, J a = gamma.
+    """Derivatives at instants: rx, rv (s, m', free) of the residual of what is kept, at fixed a and N; M (f, f) or (s, f, f)
+    and J (s, rows, f) of M a + J^T N = f, J a = gamma.
     """
 
     rx: Floats
@@ -150,7 +151,7 @@ class Varying:
 
     def nudged(self, function: Callable[[Floats], Floats], where: Floats, places: Any, step: Floats, points: Points) -> Floats:
         """The change of a function of arrays (s, 3 n) for a step of some places of them; `where` is as before afterwards."""
-        kept, found = where[:, places], 0.0
+        kept, found = where[:, places], np.zeros(())
         for share, weight in points:
             where[:, places] = kept + share * step
             found = found + weight * function(where)
@@ -182,8 +183,8 @@ class Varying:
         return LONGER if self.elastic else NUDGE
 
     def _by(self, at: States, name: str, step: Floats, points: Points, less: Floats | float = 0.0) -> Floats:
-        """Derivatives (s, m, free) of the residual by places, velocities or accelerations; less : its value, if points lie on one
-        side.
+        """Derivatives (s, m, free) of the residual by places, velocities or accelerations; less : its value, if points lie on
+        one side.
         """
         moved = getattr(at, name).copy()
 
@@ -211,7 +212,7 @@ class Varying:
 # Collocation in cells.
 
 
-class _Gauss(NamedTuple):
+class Gauss(NamedTuple):
     """c (s,), b (s,), A (s, s) of collocation at Gauss points, A^2 and b A."""
 
     c: Floats
@@ -221,18 +222,18 @@ class _Gauss(NamedTuple):
     above: Floats
 
 
-def gauss(stages: int) -> _Gauss:
+def gauss(stages: int) -> Gauss:
     """The numbers of collocation.
 
     >>> gauss(1).c.tolist(), gauss(1).A.tolist()
     ([0.5], [[0.5]])
     """
     points, weights = np.polynomial.legendre.leggauss(stages)
-    c, b = 0.5 * (1.0 + points), 0.5 * weights
+    c, b = (np.asarray(one, float) for one in (0.5 * (1.0 + points), 0.5 * weights))
     powers = np.arange(stages)
     # sum_j A_ij c_j^k = c_i^(k + 1)/(k + 1)
     A = np.linalg.solve((c[None] ** powers[:, None]), (c[:, None] ** (powers + 1) / (powers + 1)).T).T
-    return _Gauss(c, b, A, A @ A, b @ A)
+    return Gauss(c, b, np.asarray(A, float), np.asarray(A @ A, float), np.asarray(b @ A, float))
 
 
 class Cells(NamedTuple):
@@ -244,7 +245,7 @@ class Cells(NamedTuple):
     inner: Floats
 
 
-def cells_of(at: Tangent, h: Floats, kept: int, scheme: _Gauss) -> Cells:
+def cells_of(at: Tangent, h: Floats, kept: int, scheme: Gauss) -> Cells:
     """The cells of lengths h (cells,), with derivatives at all their Gauss points in order; kept : free coordinates."""
     f, s, count = kept, len(scheme.b), len(h)
     both = np.concatenate([at.rx, at.rv], axis=2)
@@ -268,7 +269,7 @@ def cells_of(at: Tangent, h: Floats, kept: int, scheme: _Gauss) -> Cells:
     back = E.swapaxes(1, 2) @ inner
     back[:, np.arange(2 * f), np.arange(2 * f)] += 1.0
     back[:, f + one, one] += h[:, None]
-    return Cells(back, inner)
+    return Cells(np.asarray(back, float), np.asarray(inner, float))
 
 
 def back_through(
@@ -312,8 +313,8 @@ def edges_between(marks: Floats, t: Floats, h: Floats, share: float) -> Floats:
     [0.0, 0.5, 1.0]
     """
     passed = np.concatenate([[0.0], np.cumsum(np.diff(t) * 0.5 * (1.0 / h[1:] + 1.0 / h[:-1]))]) / share
-    found = [marks[:1]]
-    for first, last in zip(marks[:-1], marks[1:], strict=True):
+    found: list[Any] = [marks[:1]]
+    for first, last in pairwise(marks.tolist()):
         a, b = np.interp([first, last], t, passed)
         count = max(1, int(np.ceil(b - a - 1e-6)))
         inner = np.interp(np.linspace(a, b, count + 1)[1:-1], passed, t)

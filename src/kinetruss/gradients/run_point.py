@@ -118,8 +118,8 @@ class RunPoint:
             raise AnalysisError(f"The run has no gradient: {self.result.status.value} {self.result.message}".strip())
         if self.result.passages:
             raise AnalysisError(
-                f"The run passes a singular position at t = {self.result.passages[0].time:.6g} s; there its gradient is not known. "
-                "End the run before it."
+                f"The run passes a singular position at t = {self.result.passages[0].time:.6g} s; there its gradient is not "
+                "known. End the run before it."
             )
         self._others: dict[bytes, _At] = {}
 
@@ -191,6 +191,8 @@ class RunPoint:
             )
             if one.shape != two.shape or one.shape != base.shape:
                 return False
+            other = one != two
+            one, two, base = (values[other] for values in (one, two, base))
             size = np.maximum(np.abs(one), np.abs(base))
             return bool((np.abs(one - two) <= 1e-3 * np.abs(two - base) + 1e-9 * CLOSE * size).all())
 
@@ -218,14 +220,14 @@ class RunPoint:
         given = {*one.force_time.tolist(), *one.load_time.tolist()}
         if [t for t in jumps(one) if t not in given]:
             raise AnalysisError(
-                "A number changes the instant at which a velocity or acceleration of a drive or support jumps; this gradient is "
-                "not known. Take a motion without jumps, as Quintic."
+                "A number changes the instant at which a velocity or acceleration of a drive or support jumps; this gradient "
+                "is not known. Take a motion without jumps, as Quintic."
             )
         bends = one.piece_start[one.piece_start != two.piece_start]
         if len(on := [t for t in self._forced if np.abs(bends - t).min() <= 10.0 * CLOSE * self.t_end]):
             raise AnalysisError(
-                f"A force or acceleration is read at t = {on[0]:.6g} s, where a motion ends or changes its form, and a number moves "
-                "that instant: it has one gradient before and one after it. Choose other samples."
+                f"A force or acceleration is read at t = {on[0]:.6g} s, where a motion ends or changes its form, and a number "
+                "moves that instant: it has one gradient before and one after it. Choose other samples."
             )
 
     @cached_property
@@ -294,7 +296,9 @@ class RunPoint:
     @one_thread
     def gradients(self, by: Varied, seeds: Sequence[Mapping[str, Floats]]) -> Floats:
         """Derivatives (k, numbers) of k responses with seeds ds/dd by the variables that they read."""
-        read = self._reading(by, seeds)
+        read = self._reading(seeds)
+        if not len(read.states.t):
+            return np.zeros((len(seeds), len(by.names)))
         self._others.clear()
         self._forced = read.states.t[np.abs(read.z).max(axis=(1, 2), initial=0.0) > 0].tolist()
         self._sort(by, read)
@@ -308,40 +312,18 @@ class RunPoint:
         error = min(error, read.error)
         if not error <= FAIR * good:
             raise AnalysisError(
-                f"The gradient along the run is not known to more than {error:.2g} of its size: a force that jumps or bends (dry "
-                "friction, an impact), or a motion that the method follows too roughly. Tighten rtol and atol, or smooth that."
+                f"The gradient along the run is not known to more than {error:.2g} of its size: a force that jumps or bends "
+                "(dry friction, an impact), or a motion that the method follows too roughly. Tighten rtol and atol, or smooth it."
             )
         return found + gradient + self._of_start(by, start)
 
-    def _reading(self, by: Varied, seeds: Sequence[Mapping[str, Floats]]) -> _Reading:
+    def _reading(self, seeds: Sequence[Mapping[str, Floats]]) -> _Reading:
         """What is read where: seeds at marks, with what follows from times of events, reduced to weights of places and
         velocities.
         """
         names = [name for name in dict.fromkeys(name for one in seeds for name in one) if name != "event_time"]
-        kept = {name: self._kept(name) for name in names}
-        wanted = np.zeros(len(self.trace.t), bool)
-        for one in seeds:
-            for name, own in one.items():
-                if name != "event_time":
-                    wanted |= np.abs(own).reshape(len(own), -1).max(axis=1, initial=0.0) > 0
-        if self.result.status.name == "EVENT" and wanted[-2:].all() and len(wanted) > 1:
-            raise AnalysisError(
-                "A mean over time, or a value between samples, of a run that an event ends has no gradient by the time of that "
-                "end. Give the run an end in time, or read final(...), max(...) or an earlier instant."
-            )
-        events = self.work.happened()["events"]
-        of_time = np.array([one.get("event_time", np.zeros(len(events))) for one in seeds])
-        met = np.flatnonzero(np.abs(of_time).max(axis=0, initial=0.0) > 0).tolist()
-        last = max([*self.trace.t[wanted], *events[met, 1]], default=0.0)
-        for k, t, *_ in events[events[:, 1] <= last]:
-            if (name := list(self.problem.events)[int(k)]) not in (self.options.events or {}):
-                raise AnalysisError(
-                    f"The run has no gradient beyond t = {t:.6g} s: there {name} is met or left, and its force bends. Read earlier "
-                    "values, or take an elastic element without a gap."
-                )
-        stop = len(events) - 1 if self.result.status.name == "EVENT" and wanted[-1] else -1
-        if stop >= 0 and stop not in met:
-            met.append(stop)
+        kept, events = {name: self._kept(name) for name in names}, self.work.happened()["events"]
+        wanted, of_time, met, stop = self._wanted(seeds, events)
         at = {float(t): k for k, t in enumerate(self.trace.t)}
         times = np.unique(np.concatenate([self.trace.t[wanted], events[met, 1]]))
         places = [at.get(float(t), -1) for t in times]
@@ -350,14 +332,8 @@ class RunPoint:
         else:
             row, trace = self._base.problem.eq.row, self.trace
             states = States(trace.t, trace.x, trace.v, trace.a, trace.N[:, row]).part(places)
-        part = {
-            name: "result"
-            if self._records[name] is self.result
-            else "motion"
-            if self._records[name] is self.result.motion
-            else "forces"
-            for name in names
-        }
+        homes = {id(self.result): "result", id(self.result.motion): "motion", id(self.result.forces): "forces"}
+        part = {name: homes[id(self._records[name])] for name in names}
         read = _Reading(names, kept, part, any(name not in PLAIN for name in names), states)
         k, count = len(seeds), len(self.problem.events)
         pieces = []
@@ -371,14 +347,43 @@ class RunPoint:
                             own[i, j] = one[name][place].reshape(-1)
             pieces.append(own)
         gaps = np.zeros((k + len(met), len(times), count))
-        for j, one in enumerate(met):
-            gaps[k + j, int(np.flatnonzero(times == events[one, 1])[0]), int(events[one, 0])] = 1.0
+        for j, event in enumerate(met):
+            gaps[k + j, int(np.flatnonzero(times == events[event, 1])[0]), int(events[event, 0])] = 1.0
         read.weight = np.concatenate([*pieces, gaps], axis=2)
         read.site = np.concatenate([*(self._sites(name).reshape(-1) for name in names), np.full(count, -1)]).astype(np.int64)
         read.share, read.error = SHARE[type(self.problem.method).__name__], np.inf
         self._reduce(read)
         self._follow_events(read, [(one, float(events[one, 1]), of_time[:, one], one == stop) for one in met], k)
         return read
+
+    def _wanted(
+        self, seeds: Sequence[Mapping[str, Floats]], events: Floats
+    ) -> tuple[NDArray[np.bool_], Floats, list[int], int]:
+        """Samples that are read (times,), seeds of the times of events (k, events), events whose times count, and that which
+        ends the run, or -1.
+        """
+        wanted = np.zeros(len(self.trace.t), bool)
+        for one in seeds:
+            for name, own in one.items():
+                if name != "event_time":
+                    wanted |= np.abs(own).reshape(len(own), -1).max(axis=1, initial=0.0) > 0
+        stopped = self.result.status.name == "EVENT"
+        if stopped and wanted[-2:].all() and len(wanted) > 1:
+            raise AnalysisError(
+                "A mean over time, or a value between samples, of a run that an event ends has no gradient by the time of that "
+                "end. Give the run an end in time, or read final(...), max(...) or an earlier instant."
+            )
+        of_time = np.array([one.get("event_time", np.zeros(len(events))) for one in seeds])
+        met = np.flatnonzero(np.abs(of_time).max(axis=0, initial=0.0) > 0).tolist()
+        last = max([*self.trace.t[wanted], *events[met, 1]], default=0.0)
+        for k, t, *_ in events[events[:, 1] <= last]:
+            if (name := list(self.problem.events)[int(k)]) not in (self.options.events or {}):
+                raise AnalysisError(
+                    f"The run has no gradient beyond t = {t:.6g} s: there {name} is met or left, and its force bends. Read "
+                    "earlier values, or take an elastic element without a gap."
+                )
+        stop = len(events) - 1 if stopped and wanted[-1] else -1
+        return wanted, of_time, met + [stop] * (stop >= 0 and stop not in met), stop
 
     def _sites(self, name: str) -> NDArray[np.int64]:
         """The node of each value that users read, (values,)."""
@@ -409,9 +414,9 @@ class RunPoint:
             return found
 
         f, r = len(eq.free), len(eq.row)
-        alone = Columns([[j] for j in range(r)], [None] * r, vary.columns.count)
+        alone = Columns([[j] for j in range(r)], [None] * r, vary.columns.nodes)
         sizes = [float(np.abs(one).max(initial=0.0)) or 1.0 for one in (states.v, states.a, states.N)]
-        if read.others or read.weight[..., -max(1, len(self.problem.events)) :].any():
+        if read.others or read.weight[..., weight.shape[2] - len(self.problem.events) :].any():
             sx = by("x", eq.free, vary.reach * vary.length, vary.columns, vary.points)
             sv, sa = (
                 by(name, eq.free, np.full(f, 1e-3 * size), vary.columns) for name, size in (("v", sizes[0]), ("a", sizes[1]))
@@ -432,7 +437,7 @@ class RunPoint:
 
     def _plain(self, read: _Reading) -> list[Floats]:
         """Weights of free coordinates of x, v, a where nothing else is read."""
-        free, found, first = self._base.problem.eq.free, [], 0
+        free, first = self._base.problem.eq.free, 0
         whole = np.zeros((3, *read.weight.shape[:2], *self.problem.system.x0.shape))
         for name in read.names:
             nodes, axes = read.kept[name]
@@ -440,9 +445,7 @@ class RunPoint:
             own = read.weight[:, :, first : first + size].reshape(*read.weight.shape[:2], len(nodes), len(axes))
             whole[PLAIN[name]][:, :, nodes[:, None], axes] += own
             first += size
-        for one in whole:
-            found.append(one.reshape(*read.weight.shape[:2], -1)[:, :, free].swapaxes(0, 1))
-        return found
+        return [one.reshape(*read.weight.shape[:2], -1)[:, :, free].swapaxes(0, 1) for one in whole]
 
     def _follow_events(self, read: _Reading, met: list[tuple[int, float, Floats, bool]], k: int) -> None:
         """Add what the times of events change: dt = -(change of what is watched)/(its rate)."""
@@ -473,7 +476,7 @@ class RunPoint:
             states, left = self._base.solved(at._replace(t=at.t + way * step))
             values = self._columns(self._base, states, read)
             found += way * 0.5 / step * (np.einsum("kmv,mv->mk", read.weight, values) - np.einsum("mkr,mr->mk", read.z, left))
-        return found
+        return np.asarray(found)
 
     def _of_marks(self, by: Varied, read: _Reading) -> Floats:
         """Derivatives by the numbers at fixed states of the marks."""
@@ -489,9 +492,9 @@ class RunPoint:
 
     def _by_numbers(self, by: Varied, of: Any, site: NDArray[np.int64], k: int) -> Floats:
         """Derivatives (k, numbers) of k sums of terms (k m,), each at a node (m,)."""
-        weight, vary = np.kron(np.eye(k), np.ones(len(site))), self._varying
+        weight, vary = np.kron(np.eye(k), np.ones(len(site))).astype(float), self._varying
         step = (STEP if vary.elastic else CLOSE) * by.scale
-        return differences(Weighed(of, weight, np.tile(site, k)), by.near, step, vary.columns.count, vary.points)
+        return differences(Weighed(of, weight, np.tile(site, k)), by.near, step, vary.columns.nodes, vary.points)
 
     # The adjoint along the run.
 
@@ -591,7 +594,7 @@ class RunPoint:
         moved = np.abs(x - self.problem.x0[free]).max(initial=0.0) > MOVED * float(np.ptp(self.problem.x0))
         if moved or np.any(v) or np.any(self.problem.v0[free]):
             return self._of_projected_start(by, adjoint)
-        eq, ws = base.problem.eq, base.problem.ws
+        eq = base.problem.eq
         still = States(
             np.zeros(1),
             self.problem.x0[None],
@@ -632,8 +635,8 @@ class RunPoint:
                 states.append(np.concatenate([start.x0[free], start.v0[free]]))
             if (np.abs(states[0] + states[1] - 2.0 * here) > JUMP * STEP * size).any():
                 raise AnalysisError(
-                    f"The start jumps with {by.names[j]}: velocities fit the constraints there and not beside it. Give velocities "
-                    "of all nodes, or none."
+                    f"The start jumps with {by.names[j]}: velocities fit the constraints there and not beside it. Give "
+                    "velocities of all nodes, or none."
                 )
             slope = sum(weight * state for (_, weight), state in zip(FOUR, states, strict=True))
             found[:, j] = adjoint @ slope / (STEP * by.scale[j])
@@ -664,8 +667,8 @@ def _refuse(problem: Problem, options: Options) -> None:
     """Refuse runs whose gradient is not known, by what in them it is."""
     model = problem.system.model
     found = {
-        f"{type(problem.method).__name__} has steps whose error of second order the gradient does not have: take Taylor, DOP853 or "
-        "Radau": not isinstance(problem.method, ERROR_CONTROLLED),
+        f"{type(problem.method).__name__} has steps whose error of second order the gradient does not have: take Taylor, "
+        "DOP853 or Radau": not isinstance(problem.method, ERROR_CONTROLLED),
         "motors with an input switch (friction, saturation): give the drives motions or forces": problem.motors is not None,
         "the user's force has no derivatives: give it as a load": options.user_force is not None,
         "drives are fed back: give them motions or forces": options.feedback is not None,

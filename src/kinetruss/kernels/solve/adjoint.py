@@ -27,7 +27,8 @@ def adjoint_cells(
     (cells, s, k, f) of the accelerations at its Gauss points. Returns how many cells are left where the stages do not settle.
 
     G (cells s, f, m), R (m, 2 f), by its rows: starts (m + 1,), columns and entries (cells s, entries) : z = mu G, and -z R is
-    what the accelerations of weight mu count by places and velocities. scheme : c, b, A, A^2, b A. jump (cells, k, 2 f) : of the adjoint at the start of a cell; later[-1] is given.
+    what the accelerations of weight mu count by places and velocities. scheme : c, b, A, A^2, b A. jump (cells, k, 2 f) : of
+    the adjoint at the start of a cell; later[-1] is given.
     """
     (c, b, A, twice, above), (begin, column, entry) = scheme, R
     s, f, m, count = b.size, G.shape[1], G.shape[2], later.shape[1]
