@@ -78,7 +78,7 @@ def differences(
 
 def uneven(step: Floats) -> Floats:
     """Steps of several sizes, so that the effects of equal parts of a model on what all share do not cancel unseen."""
-    return step * (1.0 - 0.4 * np.modf(GOLDEN * np.arange(len(step)))[0])
+    return np.asarray(step * (1.0 - 0.4 * np.modf(GOLDEN * np.arange(len(step)))[0]))
 
 
 def _change(
