@@ -6,7 +6,7 @@ from kinetruss.late import late
 
 if TYPE_CHECKING:
     from kinetruss.design.choices import catalogue as catalogue
-    from kinetruss.design.optimise import optimise as optimise
+    from kinetruss.design.optimal_design import optimise as optimise
     from kinetruss.design.optimum_result import ActiveLimit as ActiveLimit, Optimum as Optimum
     from kinetruss.design.sizing import size as size
     from kinetruss.design.sizing_result import (
