@@ -313,7 +313,7 @@ class RunPoint:
         if not error <= FAIR * good:
             raise AnalysisError(
                 f"The gradient along the run is not known to more than {error:.2g} of its size: a force that jumps or bends "
-                "(dry friction, an impact), or a motion that the method follows too roughly. Tighten rtol and atol, or smooth it."
+                "(dry friction, an impact), or a motion that the method follows too roughly. Tighten rtol, or smooth it."
             )
         return found + gradient + self._of_start(by, start)
 
