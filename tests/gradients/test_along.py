@@ -145,7 +145,16 @@ def chain():
 
 
 @pytest.mark.parametrize(
-    "text", ["max(utilisation)", "max(motor_torque)", "max(abs(voltage))", "rms(current)", "max(abs(section_M))", "max(energy)", "mass"]
+    "text",
+    [
+        "max(utilisation)",
+        "max(motor_torque)",
+        "max(abs(voltage))",
+        "rms(current)",
+        "max(abs(section_M))",
+        "max(energy)",
+        "mass",
+    ],
 )
 def test_a_chain_of_bays(text):
     model = chain()
