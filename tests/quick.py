@@ -23,6 +23,7 @@ PARTS = {
     "dynamics": ("dynamics",),
     "exchange": ("exchange",),
     "flexible": ("flexible",),
+    "gradients": ("gradients",),
     "io": ("io",),
     "kernels": ("kernels", "rows"),
     "elements": ("elements",),

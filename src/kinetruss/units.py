@@ -272,20 +272,22 @@ def dimension_of(text: str) -> Dimension:
 
 
 Power = int | Fraction
-_NAMED: dict[tuple[Power, Power, Power], str] = {(1, 2, -3): "W", (1, -1, -2): "Pa", (1, 0, 0): "kg"}
-"""Units that have a name of their own, by exponents of kg, m and s."""
+_NAMED: dict[tuple[Power, Power, Power, Power], str] = {
+    (1, 2, -3, 0): "W", (1, -1, -2, 0): "Pa", (1, 0, 0, 0): "kg", (1, 2, -3, -1): "V", (1, 2, -3, -2): "ohm",
+}  # fmt: skip
+"""Units that have a name of their own, by exponents of kg, m, s and A."""
 
 
 def text_of(mass: Power, length: Power, time: Power, current: Power = 0, turn: Power = 0) -> str:
     """The SI unit kg^mass m^length s^time A^current rad^turn as text, forces in N; empty for a plain number. Radians of a
     length or a force are none: r times an angle is in m.
 
-    >>> text_of(1, 1, -2), text_of(1, 2, -3), text_of(0, 1, -1), text_of(0, -1, 0, turn=1), text_of(2, 2, -4)
-    ('N', 'W', 'm/s', 'rad/m', 'N^2')
+    >>> text_of(1, 1, -2), text_of(1, 2, -3), text_of(0, 1, -1), text_of(0, -1, 0, turn=1), text_of(2, 2, -4), text_of(1, 2, -3, -1)
+    ('N', 'W', 'm/s', 'rad/m', 'N^2', 'V')
     """
     turn = turn if turn < 0 or not (mass or length) or length < 0 else 0
-    if not (current or turn) and (mass, length, time) in _NAMED:
-        return _NAMED[mass, length, time]
+    if not turn and (mass, length, time, current) in _NAMED:
+        return _NAMED[mass, length, time, current]
     parts = [("N", mass), ("m", length - mass), ("rad", turn), ("s", time + 2 * mass), ("A", current)]
     above = [_to_power(name, p) for name, p in parts if p > 0]
     below = [_to_power(name, -p) for name, p in parts if p < 0]

@@ -103,6 +103,7 @@ def test_every_option_with_a_set_of_values_is_completed():
         ("picture", "at"),
         ("picture", "title"),
         ("new", "name"),
+        ("study", "cluster"),
     }
     free |= {(verb, "max_size") for verb in main.commands} | {(verb, "time") for verb in main.commands}
     titles = {"project", "client", "number", "author", "checker", "revision", "date"}

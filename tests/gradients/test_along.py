@@ -7,6 +7,8 @@ import pytest
 
 import kinetruss as kt
 from kinetruss.errors import AnalysisError, InputError
+from kinetruss.gradients.differences import Weighed, differences
+from kinetruss.gradients.stacked import Unknowns, Weights, by_states
 
 RUN = {"turn": kt.Run(trajectory=kt.ConstantRate(rates={"motor": 3.0}, duration=1.0), samples=41)}
 
@@ -198,11 +200,29 @@ def test_load_cases_are_an_axis():
         assert found.error < 1e-9, text
 
 
+def test_equal_parts_do_not_cancel_unseen_in_what_all_share():
+    # two numbers near other nodes each, of one colour, with opposite effects on a sum that is nowhere
+    near, step = [frozenset({0}), frozenset({1})], np.full(2, 1e-3)
+    weighed = Weighed(lambda change: np.array([change[0] - change[1] + 5.0]), np.ones((1, 1)), np.array([-1]))
+    assert differences(weighed, near, step, 2, few_act=True)[0] == pytest.approx([1, -1], rel=1e-9)
+    unknowns = Unknowns(np.zeros((1, 2)), near, step, 2)
+    weights = Weights(np.ones((1, 1, 1)), np.array([-1]))
+    found = by_states(lambda x: x[..., :1] - x[..., 1:] + 5.0, weights, unknowns)
+    assert found[0, 0] == pytest.approx([1, -1], rel=1e-9)
+
+
+def test_rows_of_a_smoothed_record_act_strongly_nonlinear():
+    model = kt.read(kt.library.example_files()["slewing_experiments"][0])
+    second = kt.Response("at(drive_acceleration[M9], 1.0)", kt.run, model, run="experiment_1")
+    assert kt.check_gradient(second, ["runs.experiment_1.trajectory.values.M9.80"], step=1e-6).error < 1e-4
+
+
 def test_what_has_no_gradient_is_refused():
     model = crank()
     floating = kt.Model(
         nodes={"A": kt.Node(at=(0, 0), mass=1), "B": kt.Node(at=(1, 0), mass=1)},
-        bars={"b": kt.Bar(ends=("A", "B"), kind="driven")}, trajectories={"go": kt.ConstantRate(rates={"b": 0.1}, duration=1.0)},
+        bars={"b": kt.Bar(ends=("A", "B"), kind="driven")},
+        trajectories={"go": kt.ConstantRate(rates={"b": 0.1}, duration=1.0)},
     )  # fmt: skip
     with pytest.raises(AnalysisError, match="nothing holds the structure"):
         kt.gradient(kt.Response("max(velocity[B, x])", kt.kinematics.follow, floating, trajectory="go"), ["nodes.A.mass"])
@@ -216,6 +236,6 @@ def test_what_has_no_gradient_is_refused():
         kt.gradient(kt.Response("first(drive_force[motor])", kt.run, rubbing), ["nodes.A.mass"])
     simulated = model.with_(runs={"fall": kt.Run(analysis="dynamics.simulate", t_end=0.1)})
     with pytest.raises(InputError, match="have no responses yet"):
-        kt.Response("max(energy)", kt.run, simulated).value
-    with pytest.raises(InputError, match="has no"):
-        kt.Response("max(nothing)", kt.run, model).value
+        kt.gradient(kt.Response("max(energy)", kt.run, simulated), ["nodes.A.mass"])
+    with pytest.raises(InputError, match="does not have"):
+        kt.gradient(kt.Response("max(nothing)", kt.run, model), ["nodes.A.mass"])

@@ -6,6 +6,7 @@ from pathlib import Path
 
 import click
 
+from kinetruss.cli import completing
 from kinetruss.cli.codes import INTERRUPTED
 from kinetruss.cli.common import FILE, HELP, Verb, bar, json_option, max_size_option, print_json
 
@@ -26,14 +27,15 @@ Examples:
 
 
 @click.command(cls=Verb, context_settings=HELP, epilog=EPILOG, short_help="Do many variants of a run, and summarise them.")
-@click.argument("file", type=FILE)
-@click.argument("name", metavar="[RUN]", required=False)
+@click.argument("model", metavar="FILE", type=FILE)
+@click.argument("name", metavar="[RUN]", required=False, shell_complete=completing.runs)
 @click.option("-o", "--out", type=click.Path(path_type=Path), required=True, help="Folder of the study.")
 @click.option(
     "--set",
     "texts",
     multiple=True,
     metavar="PATH=V1,V2,...",
+    shell_complete=completing.paths,
     help="FILE is a model: the study of all combinations of these values.",
 )
 @click.option("--workers", type=click.IntRange(min=1), help="Processes on this machine (default: its processors).")
@@ -45,7 +47,7 @@ Examples:
 @click.option("-q", "--quiet", is_flag=True, help="Print nothing but errors.")
 @max_size_option
 def study(
-    file: Path,
+    model: Path,
     name: str | None,
     out: Path,
     texts: tuple[str, ...],
@@ -68,11 +70,11 @@ def study(
         raise click.UsageError("A study file names its run. RUN goes with a model and --set PATH=V1,V2.")
     from kinetruss import studies
 
-    given: object = file
+    given: object = model
     if texts:
         from kinetruss.cli.arguments import settings
 
-        given = studies.Study(model=str(file), run=name, variables=settings(texts))
+        given = studies.Study(model=str(model), run=name, variables=settings(texts))
     try:
         with bar(quiet or as_json, "variants") as progress:
             found = studies.run_study(

@@ -79,7 +79,8 @@ class AlongPoint:
             names[dim] = [names[dim][k] for k in own.reshape(-1)]
         if len(self.cases) > 1:
             names["load_case"] = [case or "all" for case in self.cases]
-        return xr.Dataset(coords={name: own for name, own in names.items() if name != "time"} | {"time": self.times})
+        coords: dict[str, Any] = {name: own for name, own in names.items() if name != "time"} | {"time": self.times}
+        return xr.Dataset(coords=coords | first.units())
 
     @cached_property
     def more(self) -> Mapping[str, Any]:
@@ -116,10 +117,10 @@ class AlongPoint:
         why = ""
         if floats(system) is not None:
             why = "nothing holds the structure, so where it is depends on all that was before"
-        elif plan is None:
-            why = "drives and bars leave some of its coordinates free"
         elif shaped(system) is not system:
             why = "it has beams or links that keep their shape"
+        elif plan is None:
+            why = "drives and bars leave some of its coordinates free"
         elif self.asked.forces and names - set(self.motion.arrays) and seats_of(system):
             why = "its bearings have friction, which depends on all forces together"
         elif names & set(DEMAND) and any(one.motor is not None and _inductance(self.model, one) for one in self._trains):

@@ -1,7 +1,7 @@
 """Gradients of what is read at a few instants of a motion, by the adjoint of the equations that hold there.
 
-At each instant the states x, v, a and the forces N of the rows solve the equations of `motion_rows`. These are block triangular,
-so the multipliers of a response s follow one after the other from J alone:
+At each instant the states x, v, a and the forces N of the rows solve the equations of `motion_rows`. These are block
+triangular, so the multipliers of a response s follow one after the other from J alone:
 
     J zN = -ds/dN,    J^T za = d(s - zN rN)/da,    J^T zv = d(s - zN rN - za ra)/dv,    J^T zx = ...,
     ds/dp = d(s - zN rN - za ra - zv rv - zx rx)/dp    at fixed states.
@@ -139,11 +139,9 @@ class Instants:
     def _shares(self, system: System) -> Floats:
         """Weights (rows,) of the sum of w N^2: l/(E A) over a constant where `Arrangement` has it, else 1."""
         stiff = arrange(self.system).stiff
-        return (
-            np.where(stiff, softness(system) / np.mean(softness(self.system)[stiff]), 1.0)
-            if stiff.any()
-            else np.ones(len(stiff))
-        )
+        if not stiff.any():
+            return np.ones(len(stiff))
+        return np.where(stiff, softness(system) / np.mean(softness(self.system)[stiff]), 1.0)
 
     @cached_property
     def moved(self) -> Floats:
@@ -219,7 +217,7 @@ class Instants:
         limit = np.repeat([*sizes, sizes[N]], [rows, rows, rows, *((free, rows) if self.forces else (0, 0))])[: len(rest)]
         if not off <= AGREE * scale or not (rest <= AGREE * limit).all():
             raise AnalysisError(
-                f"{few(self.names, 4)} at single instants are not those of the whole motion here, so they have no gradient yet: "
+                f"{few(self.names, 4)} at single instants are not those of the whole motion here, so there is no gradient yet: "
                 "something depends on neighbouring samples, or forces are shared otherwise."
             )
 

@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING, Any, NamedTuple
 import numpy as np
 from scipy.sparse import csr_array
 
+from kinetruss.errors import AnalysisError
 from kinetruss.gradients.nearness import Near, colours
 
 if TYPE_CHECKING:
@@ -19,6 +20,11 @@ FOUR = ((1.0, 2 / 3), (-1.0, -2 / 3), (2.0, -1 / 12), (-2.0, 1 / 12))
 """Steps and weights of the central difference of fourth order; exact for polynomials to the fourth degree."""
 TWO = ((1.0, 0.5), (-1.0, -0.5))
 """Those of second order; exact for quadratic functions."""
+ROUGH, NOISE = 1e-4, 1e-13
+"""Fractions of a change, and of a value, by which differences of second order over one and two steps may differ."""
+FINER = (1.0, 0.1, 0.01, 1e-3)
+"""Steps for numbers that act strongly nonlinear, as fractions of the usual."""
+GOLDEN = (5**0.5 - 1) / 2
 LEAK = 1e-9
 """Fraction of a change beyond which it is not near what causes it."""
 
@@ -43,9 +49,10 @@ def differences(
     """Derivatives (k, numbers) of weighed sums by numbers.
 
     given.of : takes changes (numbers,) of the numbers. near : nodes near each number, as of `near_nodes`. step (numbers,).
-    count : of nodes. few_act : first ask whether a change has an effect at all. Numbers whose effects are not where they are expected are taken one by one.
+    count : of nodes. few_act : first ask whether a change has an effect at all. Numbers whose effects are not where they are
+    expected are taken one by one.
     """
-    found = np.zeros((len(given.weight), len(step)))
+    found, step = np.zeros((len(given.weight), len(step))), uneven(step)
     wanted = [k for k in range(len(step)) if step[k]]
     groups = [[wanted[j] for j in group] for group in colours([near[k] for k in wanted], count)]
     here = given.of(np.zeros_like(step)) if few_act and wanted else None
@@ -69,6 +76,11 @@ def differences(
     return found / np.where(step, step, 1.0)
 
 
+def uneven(step: Floats) -> Floats:
+    """Steps of several sizes, so that the effects of equal parts of a model on what all share do not cancel unseen."""
+    return step * (1.0 - 0.4 * np.modf(GOLDEN * np.arange(len(step)))[0])
+
+
 def _change(
     given: Weighed,
     step: Floats,
@@ -79,10 +91,20 @@ def _change(
     """The change (m,) of the functions for a step of all numbers of a group; none where the first step has none (here (m,))."""
     own = np.zeros_like(step)
     own[group] = step[group]
-    found: Any = 0.0
-    for share, weight in points:
-        one = given.of(share * own)
-        if here is not None and share == points[0][0] and np.array_equal(one, here, equal_nan=True):
-            return np.zeros_like(here)
-        found = found + weight * one
-    return found
+    for finer in FINER:
+        found: list[Any] = []
+        for share, _ in points:
+            found.append(given.of(share * finer * own))
+            if here is not None and len(found) == 1 and finer == 1.0 and np.array_equal(found[0], here, equal_nan=True):
+                return np.zeros_like(here)
+        change = sum(weight * one for (_, weight), one in zip(points, found, strict=True)) / finer
+        if len(points) < len(FOUR) or not _rough(given.weight, found):
+            return change
+    raise AnalysisError("A number acts with a kink or a jump, even in small steps, so there is no derivative by it.")
+
+
+def _rough(weight: Floats, found: Sequence[Any]) -> bool:
+    """Whether differences of second order over one step and over two are not alike, in the sums (k,), beyond round-off."""
+    one, two = (found[0] - found[1]) / 2, (found[2] - found[3]) / 4
+    size = np.abs(weight)
+    return bool((np.abs(weight @ (one - two)) > ROUGH * (size @ np.abs(one)) + NOISE * (size @ np.abs(found[0]))).any())

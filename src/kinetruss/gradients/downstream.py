@@ -5,10 +5,10 @@ Each is found of the states and row forces of any instants by the functions that
 
 from __future__ import annotations
 
-from collections.abc import Callable, Collection, Iterator, Mapping
+from collections.abc import Callable, Iterator, Mapping
 from dataclasses import dataclass
-from functools import cached_property
-from typing import TYPE_CHECKING, Any
+from functools import cached_property, partial
+from typing import TYPE_CHECKING, Any, cast
 
 import numpy as np
 
@@ -63,38 +63,31 @@ class Along(Mapping[str, Any]):
         self.system = compile(model)
 
     @cached_property
-    def _sources(self) -> dict[str, Callable[[], Any]]:
-        found: dict[str, Callable[[], Any]] = {}
-
-        def take(columns: Callable[[], Columns], names: Collection[str]) -> None:
-            found.update({name: lambda name=name: columns()[name] for name in names})
-
-        histories = {"motion": self.motion, "forces": self.forces}
-        for one in (one for one in histories.values() if one is not None):
-            arrays = one.arrays
-            kept = [
-                name
-                for name, own in arrays.items()
-                if own.dims[:1] == ("time",) and own.values.dtype.kind == "f" and name not in LEFT_OUT
-            ]
-            take(lambda arrays=arrays: arrays, [name for name in kept if HELD not in arrays[name].dims])
+    def _sources(self) -> dict[str, Callable[[], Columns]]:
+        """By variable what finds it among others."""
+        found: dict[str, Callable[[], Columns]] = {}
+        for arrays in self._arrays:
+            for name, own in arrays.items():
+                if own.dims[:1] == ("time",) and own.values.dtype.kind == "f" and HELD not in own.dims and name not in LEFT_OUT:
+                    found[name] = partial(dict, arrays)
         if self.asked.judged and self.forces is not None:
-            take(lambda: self._verdict, VERDICT)
-            take(lambda: self._sections, SECTIONS if twisted_parts(self.model).any() else SECTIONS[:-1])
-            if self.model.actuators:
-                take(lambda: self._demand, DEMAND)
-        found["mass"] = lambda: variable((), np.asarray(mass_by_nodes(self.system).sum()), "kg", "mass of the model")
-        found["time"] = lambda: self.motion.arrays["time"]
-        return found
+            found |= dict.fromkeys(VERDICT, lambda: self._verdict)
+            found |= dict.fromkeys(SECTIONS if twisted_parts(self.model).any() else SECTIONS[:-1], lambda: self._sections)
+            found |= dict.fromkeys(DEMAND if self.model.actuators else (), lambda: self._demand)
+        return found | {"mass": lambda: self._whole, "time": partial(dict, self.motion.arrays)}
 
     def __getitem__(self, name: str) -> Any:
-        return self._sources[name]()
+        return self._sources[name]()[name]
 
     def __iter__(self) -> Iterator[str]:
         return iter(self._sources)
 
     def __len__(self) -> int:
         return len(self._sources)
+
+    @cached_property
+    def _whole(self) -> Columns:
+        return {"mass": variable((), np.asarray(mass_by_nodes(self.system).sum()), "kg", "mass of the model")}
 
     @cached_property
     def _verdict(self) -> Columns:
@@ -129,18 +122,23 @@ class Along(Mapping[str, Any]):
 
     @property
     def _judged(self) -> Forces:
-        assert self.forces is not None
-        return self.forces
+        return cast("Forces", self.forces)
 
     def labels(self) -> dict[str, list[Any]]:
         """Names along the axes of these variables, with inner parts."""
-        found = {name: one.values.tolist() for one in self._arrays for name, one in one.items() if one.dims == (name,)}
+        found = {name: one.values.tolist() for arrays in self._arrays for name, one in arrays.items() if one.dims == (name,)}
         if self.asked.judged and self.forces is not None:
             given = axes_of_verdict(self.system).names
             found |= {"part": [*given["part"]], "rule": [*given["rule"]], "rod": [*parts_of(self.model).names]}
             found |= {"active": list(self.model.actuators), "station": fractions_of(self.asked.stations).tolist()}
             found |= {"transverse": ["2", "3"][: self.model.dim - 1], "about": ["2", "3"][1 - self.model.dim :]}
         return found
+
+    def units(self) -> dict[str, tuple[str, list[str]]]:
+        """Units of entries along an axis, by the name that a variable has in place of its unit."""
+        every = {name: one for arrays in self._arrays for name, one in arrays.items()}
+        names = {one.attrs.get("units", "").partition("/")[0] for one in every.values()}
+        return {name: (every[name].dims[0], every[name].values.tolist()) for name in names if name in every}
 
     @property
     def _arrays(self) -> list[Columns]:

@@ -53,7 +53,8 @@ class Response:
     ----------
     text : over the variables of the result, with entries by name in brackets, + - * / **, units and functions:
         ``max(abs(member_force))/kN``, ``displacement[C, y]``, ``rms(drive_force[lift])``; see `read_response`.
-    analysis : `statics.linear`, ... ; arguments : those that it takes beside the model.
+    analysis : `statics.linear`, `kinematics.follow`, `dynamics.inverse` or `kt.run`; arguments : those that it takes beside the
+        model; of `dynamics.inverse` those of `kinematics.follow`, whose motion it takes, and its load case.
 
     >>> import kinetruss as kt
     >>> rod = kt.Model(nodes={"A": (0, 0), "B": (2, 0)}, fixed={"A": "xy", "B": "y"}, bars={"b": ("A", "B")},

@@ -10,11 +10,11 @@ import ast
 import math
 import re
 from collections import ChainMap
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, field
 from fractions import Fraction
 from keyword import kwlist
-from typing import TYPE_CHECKING, Any, NamedTuple
+from typing import TYPE_CHECKING, Any, NamedTuple, cast
 
 import numpy as np
 
@@ -41,6 +41,7 @@ TIE = 1e-9
 TIME = "time"
 KEYWORD = re.compile(rf"""(?<=[\[, ])({"|".join(kwlist)})(?=\s*[,\]])""")
 """Names of entries, like yield, that are words of the grammar."""
+OF_MOTORS = {name: (1.0, in_unit(name)) for name in ("V", "A", "kg", "J")}
 
 FUNCTIONS: dict[str, str] = {
     "abs": "abs(x): magnitude",
@@ -66,6 +67,8 @@ class _Value(NamedTuple):
     dims: tuple[str, ...]
     kind: Kind
     push: Push
+    units: tuple[str, Sequence[str]] | None = None
+    """Axis along which entries have units of their own, and these."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -86,6 +89,7 @@ class _Data:
 
     of: Mapping[str, Any]
     labels: Mapping[str, list[Any]]
+    units: Mapping[str, tuple[str, Sequence[str]]] = field(default_factory=dict)
     seeds: Seeds = field(default_factory=dict)
     ties: list[str] = field(default_factory=list)
     sharing: bool = False
@@ -189,7 +193,8 @@ def _parsed(text: str, data: xr.Dataset, more: Mapping[str, Any] | None) -> tupl
         raise InputError(f"{shown(text)} is no response. Write for example max(abs(member_force)).") from None
     labels = {str(name): [*one.values.tolist()] for name, one in data.coords.items() if one.dims == (name,)}
     own = {str(name): one for name, one in data.data_vars.items()}
-    at = _Data(ChainMap(own, more or {}), labels)
+    units = {str(name): (str(one.dims[0]), one.values.tolist()) for name, one in data.coords.items() if len(one.dims) == 1}
+    at = _Data(ChainMap(own, cast("Any", more or {})), labels, units)
     try:
         found = _value(tree, text, at, 0)
     except ExpressionError as error:
@@ -209,7 +214,11 @@ def _value(node: Any, text: str, at: _Data, depth: int) -> _Value:
     if isinstance(node, ast.Constant) and isinstance(node.value, int | float) and not isinstance(node.value, bool):
         return _constant(float(node.value), NUMBER)
     if isinstance(node, ast.Name):
-        return _named(node.id, at)
+        found = _named(node.id, at)
+        if found.units is not None:
+            several = few(sorted({*found.units[1]}), 4)
+            raise ExpressionError(f"reads {own!r}, which is in {several}.", f"Name a {found.units[0]} in brackets.")
+        return found
     if isinstance(node, ast.Subscript) and isinstance(node.value, ast.Name):
         picked = node.slice.elts if isinstance(node.slice, ast.Tuple) else [node.slice]
         return _entry(_named(node.value.id, at), [_label(one, text) for one in picked], own, at)
@@ -246,9 +255,16 @@ def _named(name: str, at: _Data) -> _Value:
         def push(g: Floats) -> None:
             at.seeds[name] = at.seeds.get(name, np.zeros_like(values)) + g
 
-        return _Value(values, tuple(one.dims), in_unit(one.attrs.get("units", "")), push)
-    if name in (units := {**CONSTANTS, **FORCE_UNITS}):
-        return _constant(*units[name])
+        unit = one.attrs.get("units", "")
+        axis, slash, rest = unit.partition("/")
+        if axis not in at.units:
+            return _Value(values, tuple(one.dims), in_unit(unit), push)
+        dim, units = at.units[axis][0], [f"{one}{slash}{rest}" for one in at.units[axis][1]]
+        if len({*units}) > 1:
+            return _Value(values, tuple(one.dims), NUMBER, push, (dim, units))
+        return _Value(values, tuple(one.dims), in_unit(next(iter(units), "")), push)
+    if name in (constants := {**CONSTANTS, **FORCE_UNITS, **OF_MOTORS}):
+        return _constant(*constants[name])
     raise ExpressionError(f"has {name!r}, which the result does not have.", nearest(name, at.of))
 
 
@@ -271,7 +287,12 @@ def _entry(whole: _Value, names: list[str], own: str, at: _Data) -> _Value:
         back[key] = g
         whole.push(back)
 
-    return _Value(whole.array[key], left, whole.kind, push)
+    if whole.units is None:
+        return _Value(whole.array[key], left, whole.kind, push)
+    dim, units = whole.units
+    if dim in left:
+        raise ExpressionError(f"reads {own!r}, which is in {few(sorted({*units}), 4)}.", f"Name a {dim} in brackets.")
+    return _Value(whole.array[key], left, in_unit(units[place[whole.dims.index(dim)]]), push)
 
 
 def _elementwise(a: _Value, make: Map, slope: Map, kind: Kind | None = None) -> _Value:

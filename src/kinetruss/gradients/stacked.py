@@ -12,7 +12,7 @@ from typing import TYPE_CHECKING, Any, NamedTuple
 import numpy as np
 
 from kinetruss.errors import AnalysisError
-from kinetruss.gradients.differences import FOUR, LEAK
+from kinetruss.gradients.differences import FOUR, LEAK, uneven
 from kinetruss.gradients.nearness import Near, colours
 
 if TYPE_CHECKING:
@@ -34,12 +34,12 @@ class Weights(NamedTuple):
 
 
 class Unknowns(NamedTuple):
-    """Unknowns (s, m) at s samples, the nodes near each (m,), and their steps (m,); 0 where there is none to be made."""
+    """Unknowns (s, m) at s samples, the nodes near each (m,), of so many, and their steps (m,), 0 where none is to be made."""
 
     value: Floats
     near: Sequence[Near]
     step: Floats
-    count: int
+    nodes: int
 
 
 def by_states(of: Callable[[Floats], Floats], given: Weights, by: Unknowns, *, smooth: bool = False) -> Floats:
@@ -51,13 +51,13 @@ def by_states(of: Callable[[Floats], Floats], given: Weights, by: Unknowns, *, s
     ------
     AnalysisError : a value has a kink or a jump there.
     """
-    found = np.zeros((len(given.value), *by.value.shape))
+    found, by = np.zeros((len(given.value), *by.value.shape)), by._replace(step=uneven(by.step))
     used = np.flatnonzero(np.abs(given.value).max(axis=(0, 1), initial=0.0))
     if not len(used):
         return found
     sites = {*given.site[used].tolist()}
     wanted = [k for k, near in enumerate(by.near) if by.step[k] and (near is None or -1 in sites or not sites.isdisjoint(near))]
-    groups = [[wanted[j] for j in group] for group in colours([by.near[k] for k in wanted], by.count)]
+    groups = [[wanted[j] for j in group] for group in colours([by.near[k] for k in wanted], by.nodes)]
     weight, site = given.value[:, :, used], given.site[used]
     here = of(by.value[None])[..., used]
     while groups:
@@ -102,8 +102,8 @@ def _refuse_kinks(here: Floats, change: Floats, second: Floats, weight: Floats) 
     size = np.abs(here).max(axis=(0, 1), initial=0.0) + np.abs(change).max(axis=(0, 1), initial=0.0)
     if (np.abs(second) * used > KINK * size + 1e-300).any():
         raise AnalysisError(
-            "A value of the response has a kink or jumps at the instant that it reads, as friction does at standstill, so it has "
-            "no derivative there. Read another instant or another value."
+            "A value of the response has a kink or jumps at the instant that it reads, as friction does at standstill, so it "
+            "has no derivative there. Read another instant or another value."
         )
 
 
@@ -112,7 +112,7 @@ def _spread(found: Floats, group: list[int], change: Floats, weight: Floats, sit
     if len(group) == 1:
         found[:, :, group[0]] = (weight * change).sum(axis=-1)
         return True
-    label = np.full(by.count + 1, -1)  # the last is of what is nowhere
+    label = np.full(by.nodes + 1, -1)  # the last is of what is nowhere
     for j, k in enumerate(group):
         label[[*(by.near[k] or ())]] = j
     own = label[site]

@@ -135,7 +135,8 @@ class Arrangement:
 
     plan : blocks of independent rows, or None where some coordinate is not determined (fewer rows than freedoms).
     redundant : redundant rows (indices). not_unique : mask of rows that take part in a state of self-stress.
-    weight : (rows,) weights of the least-norm forces of redundant rows: l/(E A) over its mean, or 1; stiff : mask of the former.
+    weight : (rows,) weights of the least-norm forces of redundant rows: l/(E A) over its mean, or 1; stiff : mask
+        of the former.
     """
 
     plan: Plan | None

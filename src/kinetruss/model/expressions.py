@@ -44,18 +44,19 @@ class Tree(NamedTuple):
 
 
 class Kind(NamedTuple):
-    """What a tree measures: a vector or a number, of the unit m^length s^time rad^turn kg^mass."""
+    """What a tree measures: a vector or a number, of the unit m^length s^time rad^turn kg^mass A^current."""
 
     vector: bool = False
     length: Fraction = Fraction(0)
     time: Fraction = Fraction(0)
     turn: Fraction = Fraction(0)
     mass: Fraction = Fraction(0)
+    current: Fraction = Fraction(0)
 
     @property
     def unit(self) -> str:
         """SI unit, as text; empty for a plain number. Radians of a length are none: r times an angle is in m."""
-        return text_of(self.mass, self.length, self.time, turn=self.turn)
+        return text_of(self.mass, self.length, self.time, self.current, self.turn)
 
     def times(self, other: Kind, sign: int = 1) -> Kind:
         """The kind of a product, or of a quotient."""
@@ -69,8 +70,8 @@ class Kind(NamedTuple):
 
 def in_unit(text: str, vector: bool = False) -> Kind:
     """The kind of what is measured in a unit."""
-    mass, length, time, _, turn = map(Fraction, dimension_of(text))
-    return Kind(vector, length, time, turn, mass)
+    mass, length, time, current, turn = map(Fraction, dimension_of(text))
+    return Kind(vector, length, time, turn, mass, current)
 
 
 NUMBER, LENGTH, ANGLE = Kind(), Kind(length=Fraction(1)), Kind(turn=Fraction(1))
@@ -135,7 +136,7 @@ def _angle_kind(_: Sequence[Kind]) -> Kind:
 
 def _plain(given: Sequence[Kind]) -> Kind:
     """A plain number of an angle or a plain number."""
-    if given[0].length or given[0].time or given[0].mass:
+    if given[0].length or given[0].time or given[0].mass or given[0].current:
         raise ExpressionError(
             f"takes an angle or a plain number, not one in {given[0].unit}.", "Divide by a quantity of that unit."
         )
@@ -242,7 +243,7 @@ def _written(op: str, dim: int) -> str:
 
 def same_unit(a: Kind, b: Kind) -> None:
     """Raise ExpressionError if two units do not match; angles are plain numbers."""
-    if (a.length, a.time, a.mass) != (b.length, b.time, b.mass):
+    if (a.length, a.time, a.mass, a.current) != (b.length, b.time, b.mass, b.current):
         one, other = (kind.unit or "plain" for kind in (a, b))
         mend = "Give a plain number its unit, as in 0.3*m, 20*mm, 5*deg." if NUMBER in (a, b) else "Mend one of them."
         raise ExpressionError(f"puts together what is in {one} and what is in {other}.", mend)

@@ -25,7 +25,7 @@ REFUSED, FAILED, DIED = "REFUSED", "FAILED", "DIED"
 @dataclass(frozen=True, slots=True)
 class Outcome:
     """What became of a variant. status : name of a `Status`, or one of those above. numbers : results by name, only of a run
-    that is complete; units : their units, SI.
+    that is complete; units : their units, SI. seconds : of processor time, which other programs do not change.
     """
 
     row: int
@@ -105,7 +105,7 @@ def _close(one: Mapping[str, float], other: Mapping[str, float]) -> bool:
 
 def _together(base: Base, task: Task, kept: Kept, copies: Copies, rows: Rows) -> list[Outcome]:
     """The outcomes of rows whose runs are done together; one after the other where one of them is not complete."""
-    started, found, models = time.perf_counter(), list[Outcome](), dict[int, Model]()
+    started, found, models = time.thread_time(), list[Outcome](), dict[int, Model]()
     for row, values in rows:
         try:
             models[row] = base.with_(values)
@@ -116,9 +116,9 @@ def _together(base: Base, task: Task, kept: Kept, copies: Copies, rows: Rows) ->
     except KinetrussError:
         runs = None
     if runs is None:
-        return [*found, *(outcome_of(model, task, kept, row, time.perf_counter()) for row, model in models.items())]
+        return [*found, *(outcome_of(model, task, kept, row, time.thread_time()) for row, model in models.items())]
     numbers = [kept(run, {"mass": mass}) for run, mass in runs]
-    seconds = (time.perf_counter() - started) / len(rows)
+    seconds = (time.thread_time() - started) / len(rows)
     done = [Outcome(row, "COMPLETED", "", seconds, one, kept.units) for row, one in zip(models, numbers, strict=True)]
     return found + done
 
@@ -131,11 +131,11 @@ def _prepared(task: Task) -> tuple[Base, Kept]:
 
 def evaluated(base: Base, task: Task, kept: Kept, row: int, values: Mapping[str, Any]) -> Outcome:
     """The outcome of one row."""
-    started = time.perf_counter()
+    started = time.thread_time()
     try:
         model = base.with_(values)
     except KinetrussError as error:
-        return Outcome(row, REFUSED, plain(str(error)), time.perf_counter() - started)
+        return Outcome(row, REFUSED, plain(str(error)), time.thread_time() - started)
     return outcome_of(model, task, kept, row, started)
 
 
@@ -152,4 +152,4 @@ def outcome_of(model: Model, task: Task, kept: Kept, row: int, started: float) -
         status, message = FAILED, str(error)
     except Exception as error:  # noqa: BLE001 - whatever a model raises is told of that model, and the study goes on
         status, message = FAILED, f"{type(error).__name__}: {error}"
-    return Outcome(row, status, plain(message), time.perf_counter() - started, numbers, kept.units)
+    return Outcome(row, status, plain(message), time.thread_time() - started, numbers, kept.units)

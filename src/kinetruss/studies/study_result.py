@@ -24,8 +24,8 @@ class StudyResult:
     """All rows of a study.
 
     data : over row: the variables in the units in which they were given (attribute ``units``, of bare numbers ""), texts as
-        they are; the results in SI, NaN without a number; ``status``, ``message``, ``seconds``. ``data.to_dataframe()`` is a
-        table of pandas.
+        they are; the results in SI, NaN without a number; ``status``, ``message``, ``seconds`` of processor time.
+        ``data.to_dataframe()`` is a table of pandas.
     variables, results : their names. nominal : results of the model as it is, if it was done. title, run : of the study.
     base_points : of Saltelli's design, else 0. path : the folder, or None.
     """
