@@ -7,9 +7,10 @@ import pytest
 from hypothesis import given, settings, strategies as st
 
 import kinetruss as kt
-from kinetruss.errors import AnalysisError
+from kinetruss.errors import AnalysisError, InputError
 from kinetruss.io import set_value
 
+LEFT_OUT = ("stiffness", "mode_shape")
 GENERAL = kt.General(area=1e-4, I2=1e-9, I3=1e-9, c2=0.01, c3=0.01)
 GRID = {f"N{i}{j}": (i + 0.05 * j, j + 0.03 * i * i) for i in range(3) for j in range(3)}
 PAIRS = [(a, b) for a in GRID for b in GRID if a < b and math.dist(GRID[a], GRID[b]) < 1.6]
@@ -203,3 +204,39 @@ def test_gradients_of_random_trusses_are_those_of_differences(moves, sizes):
         ["nodes.N11.at.0", "nodes.N20.at.1", "bars.N00N10.section.area", "loads.tip.force.1", "gravity.1"],
     )
     assert check.error < 1e-7
+
+
+def framed():
+    """A clamped frame of beams, with a bar, a turned support that settles, and a spring."""
+    return kt.Model(
+        nodes={"A": (0, 0), "B": (0.2, 2), "C": (2, 2.1), "D": (2.1, 0.1)}, clamped=["A"], material="steel_s235",
+        beams={"ab": ("A", "B"), "bc": ("B", "C"), "cd": ("C", "D")}, section=kt.Rectangle(width=0.05, height=0.08),
+        supports={"D": kt.Support(y="held", turned=0.2)}, gravity=(0, -9.81), bars={"stay": kt.Bar(ends=("A", "C"))},
+        springs={"s": kt.Spring(coordinate=kt.DistanceCoordinate(("B", "D")), stiffness=1e5)},
+        loads={"f": kt.NodalForce(node="B", force=(3e3, -5e3)), "on": kt.NodalForce(node="A", force=(100.0, 200.0))},
+    )  # fmt: skip
+
+
+@pytest.mark.parametrize("analysis", [kt.statics.linear, kt.statics.equilibrium])
+@pytest.mark.parametrize("model", [redundant(), framed(), sagging()], ids=["truss", "frame", "sagging"])
+def test_responses_read_what_the_analysis_tells(analysis, model):
+    if analysis is kt.statics.linear and len(model.nodes) == 3:
+        model = model.with_(fixed={"A": "xy", "C": "xy", "B": "y"})  # flat, it sags only with large displacements
+    told = analysis(model).data
+    known = [name for name, one in told.data_vars.items() if one.dtype.kind == "f" and one.size and name not in LEFT_OUT]
+    for name in known:
+        size = float(np.abs(told[name].values).max(initial=0.0))
+        for text, wanted in (
+            (f"rms({name})", np.sqrt((told[name] ** 2).mean().item())),
+            (f"max({name})", told[name].max().item()),
+        ):
+            found = kt.Response(text, analysis, model)
+            assert found.value == pytest.approx(wanted, rel=1e-9, abs=1e-9 * size + 1e-12), (name, text)
+
+
+def test_reactions_of_a_frame_and_a_number_that_makes_other_parts():
+    pull = kt.Response("reaction[A, x]", kt.statics.linear, framed())
+    assert kt.check_gradient(pull, ["supports.D.turned", "section.height", "nodes.B.at.0", "loads.on.force.0"]).error < 1e-8
+    flat = framed().with_(supports={"D": kt.Support(y="held", turned=0.0)})
+    with pytest.raises(InputError, match="turned is 0"):
+        kt.gradient(kt.Response("energy", kt.statics.linear, flat), ["supports.D.turned", "gravity.1"])

@@ -25,6 +25,7 @@ from kinetruss.statics.linear_statics import Known, known_forces, rigid_rows, va
 from kinetruss.statics.small_displacements import (
     Solved,
     Weight,
+    beam_rows,
     elements_only,
     flexibility,
     loads_at,
@@ -172,7 +173,8 @@ class LinearPoint(Told):
         N, u = unknown[: self.rows], self._whole(at.held, unknown[self.forces :])
         slack = np.isinf(at.flexible)
         inner = at.only @ u
-        inner[at.held.free] += whole[self.rows :].T @ unknown[self.rows : self.forces]
+        if self.forces > self.rows:
+            inner = inner + beam_rows(at.held, at.x).T @ unknown[self.rows : self.forces]
         stretched = np.where(slack, 0.0, at.flexible) * N + at.given
         elongation = np.where(slack, whole[: self.rows] @ u[at.held.free], stretched)
         solved = Solved(displacement=u, elongation=elongation, force=N, errors=(0.0, 0.0), inner=inner)

@@ -105,11 +105,19 @@ def gradients_at(point: Point, by: Varied, seeds: Sequence[Mapping[str, Floats]]
     near = [None] * len(step) if missed(weights @ (expected - first) - found @ by.trial) else by.near
     if near is not by.near:
         found = differences(placed, near, step, count)
-    if missed(weights @ (both(by.tried) - expected)):
-        for own in by.kinds:
-            change = np.where(own, by.trial, 0.0)
-            if missed(weights @ (anew.of(change) - placed.of(change))):
+    trials = [by.trial] if missed(weights @ (both(by.tried) - expected)) else []
+    # numbers that only records have may act on one side alone, as instants of tables
+    trials += [one for one in (by.of_records * by.trial, -(by.of_records * by.trial)) if by.of_records.any()]
+    for own in by.kinds if trials else ():
+        for change in (np.where(own, one, 0.0) for one in trials if (one * own).any()):
+            effect = weights @ (anew.of(change) - first)
+            if missed(effect - found @ change):
                 found[:, own] = differences(anew, near, np.where(own, step, 0.0), count)[:, own]
+                if missed(effect - found @ change):
+                    raise AnalysisError(
+                        f"There is no gradient by {by.names[int(np.argmax(own))]} here, at a kink: a small change of it, or of "
+                        "those of its kind, has not the opposite effect of the opposite change."
+                    )
     if not np.isfinite(found).all():
         k = int(np.argwhere(~np.isfinite(found))[0, 1])
         raise AnalysisError(f"The derivative by {by.names[k]} is not finite: the response is not smooth here.")

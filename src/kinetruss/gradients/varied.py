@@ -84,6 +84,14 @@ class Varied:
         return [np.array([one == each for one in kind]) for each in dict.fromkeys(kind)]
 
     @cached_property
+    def of_records(self) -> NDArray[np.bool_]:
+        """Which (K,) of the numbers have no place among those of a system."""
+        found = np.ones(len(self.names), np.bool_)
+        for _, which, slope in self.places.values():
+            found[which[slope != 0.0]] = False
+        return found
+
+    @cached_property
     def near(self) -> list[Near]:
         """For each number the nodes of the parts on which it acts; None: everywhere."""
         return near_nodes(parts_of(self.system), self.keys)
@@ -193,6 +201,10 @@ def _placed(
         return compile(changed(model, [(path, float(one)) for group, one in pairs for path in group]))
 
     system, other = at(value + mark), at(value + trial)
+    for zero in np.flatnonzero(value == 0.0).tolist() if _another(system, model) else ():
+        if _another(at(np.where(np.arange(len(value)) == zero, mark, 0.0) + value), model):
+            named = ".".join(map(str, groups[zero][0]))
+            raise InputError(f"{named} is 0, and the model has other parts where it is not. Give it a value, or leave it out.")
     a, b = numbers_of(system), numbers_of(other)
     index = {float(one): k for k, one in enumerate(value + mark)}
     base: dict[str, NDArray[np.float64]] = {}
@@ -219,6 +231,13 @@ def _placed(
             new = computed[name][on], np.full(int(on.sum()), k), slope[on]
             places[name] = tuple(np.concatenate(pair) for pair in zip(places[name], new, strict=True))  # type: ignore[assignment]
     return replace(system_at(system, base), given=model), base, places, other
+
+
+def _another(system: System, model: Model) -> bool:
+    """Whether a system has other parts than a model."""
+    own = compile(model)
+    same = (system.nodes, system.members, system.measures) == (own.nodes, own.members, own.measures)
+    return not (same and np.array_equal(system.prescribed, own.prescribed) and len(system.row_kind) == len(own.row_kind))
 
 
 def _by_differences(
