@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+import re
 
 import numpy as np
 import pytest
@@ -155,6 +156,10 @@ def test_what_blocks_is_said_and_it_goes_there_and_back(opened):
     hand.button("▶ Play")
     hand.shown.until(f"{PLAY}.playing")
     assert said(hand).count("rod and rocker are in line at C.") == 2
+    most = float(re.search(r"away from the dead point ([\d.]+) N m", said(hand))[1])
+    torque = np.abs(hand.js("Array.from(draw.play.film.arrays.drive_force.data)"))
+    assert most == pytest.approx(torque[torque <= 8 * np.sort(torque)[len(torque) // 2]].max(), rel=1e-3)
+    assert torque.max() > 2 * most
     ways = hand.page.get_by_label("way through the range", exact=True)
     assert ways.locator("option").all_text_contents() == ["There and back", "Once"]
     last = hand.js("draw.play.film.frames - 1")

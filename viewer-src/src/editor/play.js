@@ -244,7 +244,7 @@ export class Play extends Player {
       return film.whole ? `${name}: full turn` : `${name}: ${quantity(film.value(0, d), unit)} to ${quantity(film.value(last, d), unit)}`;
     });
     const held = Array.from({ length: film.frames }, (_, k) => Math.abs(film.held(k)));
-    const most = held.reduce((best, size, k) => (Number.isFinite(size) && (size <= this.limit * (1 + 1e-6)) && size > (held[best] || 0) ? k : best), 0);
+    const most = held.reduce((best, size, k) => (size <= this.limit * (1 + 1e-6) && size > (held[best] ?? 0) ? k : best), -1);
     const { unit } = film.drives[film.lead];
     const torque = held[most] > 0 ? ` Largest ${unit === "rad" ? "torque" : "force"}${this.cut ? " away from the dead point" : ""} ${quantity(held[most], unit === "rad" ? "N m" : "N")} at ${quantity(film.value(most), unit)}.` : "";
     const bent = film.bent ? "Parts that bend or stretch are in equilibrium, at rest. " : "";

@@ -90,6 +90,7 @@ export class Sweep {
       low = Math.min(low, angle);
       high = Math.max(high, angle);
     }
-    return [low, high];
+    const round = TURN * Math.floor((low + Math.PI) / TURN);
+    return [low - round, high - round];
   }
 }
