@@ -103,7 +103,7 @@ def test_a_slider_crank_is_found_again_from_four_positions():
     assert all(max(passed(one, positions)) < 1e-9 for one in found)
 
 
-@pytest.mark.parametrize("seed", range(4))
+@pytest.mark.parametrize("seed", [0, *(pytest.param(seed, marks=pytest.mark.slow) for seed in (1, 2, 3))])
 def test_whatever_is_returned_passes_all_positions_in_order(seed):
     """Random positions: every linkage takes them by its drive alone, one after the other, on its branch."""
     rng = np.random.default_rng(seed)
@@ -135,6 +135,7 @@ def test_five_positions_leave_no_slider_and_it_is_said():
     assert "No slider-crank" in found.message
 
 
+@pytest.mark.slow
 def test_the_cognates_of_a_coupler_curve_are_found():
     """Roberts and Chebyshev: three four-bars draw one curve, on pivots A, D and E = A + (D - A) p/h, two of them each."""
     chains = of(A=0.0, D=0.4, a=0.1, h=0.35, r=0.25, side=1.0, p=0.2 + 0.2j)
@@ -148,6 +149,7 @@ def test_the_cognates_of_a_coupler_curve_are_found():
         assert abs(own[:, None] - pivots).min(1).max() < 1e-6
 
 
+@pytest.mark.slow
 def test_scott_russells_slider_crank_draws_an_exact_line():
     """A rod twice as long as the crank, driven about the slider's line: the other end runs straight. Four-bars come near."""
     line = np.column_stack([np.linspace(0, 1, 10), np.linspace(0, 0.5, 10)])
@@ -155,6 +157,7 @@ def test_scott_russells_slider_crank_draws_an_exact_line():
     assert min(one.error for one in found) < 1e-9
 
 
+@pytest.mark.slow
 def test_a_line_is_drawn_at_least_as_well_as_by_chebyshevs_linkage():
     """Over the same stretch as half of his, relative to its length."""
     model = kt.library.mechanisms.chebyshev()
@@ -200,6 +203,7 @@ def test_what_is_no_task_is_refused(call, words):
         call()
 
 
+@pytest.mark.slow
 def test_a_path_that_no_linkage_draws_is_told_with_its_distance():
     """A square: what is found leaves it, by as much as the message says."""
     square = [(0, 0), (0.5, 0), (1, 0), (1, 0.5), (1, 1), (0.5, 1), (0, 1), (0, 0.5)]

@@ -44,6 +44,7 @@ def passes(model: kt.Model, run: str, node: str, place: tuple[float, ...]) -> bo
     return bool(np.abs(motion.position.sel(node=node).values[-1] - place).max() < 1e-9)
 
 
+@pytest.mark.slow
 def test_a_linkage_that_was_found_comes_into_the_drawing_and_passes(drawing):
     answer = say(drawing, do="ask", positions=FLAP, point=0.2)
     assert {row["kind"] for row in answer["rows"]} == {"four-bar", "slider-crank"}
@@ -75,6 +76,7 @@ def test_what_is_no_task_is_said_and_changes_nothing(drawing):
     assert not drawing.data["nodes"]
 
 
+@pytest.mark.slow
 def test_a_linkage_is_not_put_into_space(drawing):
     say(drawing, do="ask", positions=FLAP)
     say(drawing, do="fresh", dim=3)
@@ -147,6 +149,7 @@ def test_text_and_python_make_the_same_model_again(drawing):
     assert names["model"] == drawing.model
 
 
+@pytest.mark.slow
 def test_pictures_are_those_of_the_report(drawing, tmp_path):
     say(drawing, do="begin", name="Truss bridge")
     svg = made(drawing, form="svg")
@@ -156,6 +159,7 @@ def test_pictures_are_those_of_the_report(drawing, tmp_path):
     assert made(drawing, form="png").content.startswith(b"\x89PNG")
 
 
+@pytest.mark.slow
 def test_the_page_and_the_report_are_one_file(drawing):
     say(drawing, do="begin", name="Truss bridge")
     page = made(drawing, form="page").content.decode()

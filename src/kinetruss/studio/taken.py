@@ -10,6 +10,8 @@ from pathlib import Path
 from tempfile import TemporaryDirectory
 from typing import TYPE_CHECKING, Literal
 
+import numpy as np
+
 from kinetruss import report, runs, viewer
 from kinetruss.errors import InputError, KinetrussError
 from kinetruss.kinematics import follow
@@ -95,8 +97,10 @@ def _computed(form: Form, model: Model, run: str, name: str, progress: Callable[
         elif form == "report":
             path.write_text(report.document_page(_result(model, run)).html, encoding="utf-8")
         else:
-            flat = {"camera": "top"} if model.dim == 2 else {}
-            viewer.render(_moving(model, run), path, size=FILM, fps=RATE, progress=progress, **flat)  # type: ignore[arg-type]
+            moving, camera = _moving(model, run), "top" if model.dim == 2 else "iso"
+            loaded = any(np.nan_to_num(one.arrays["member_force"].values).any() for one in moving.forces.values())
+            colour = None if loaded else "kind"
+            viewer.render(moving, path, size=FILM, fps=RATE, camera=camera, colour=colour, progress=progress)
         return path.read_bytes()
 
 

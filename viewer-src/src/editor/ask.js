@@ -10,6 +10,7 @@ import { thumb } from "./thumb.js";
 const MOST = 5; // positions
 const POINTS = 24; // of a path that was drawn
 const CLOSES = 18; // pixels between first and last point of a path that is meant to close
+const EXACT = 1e-9; // of the size of a linkage: what is left is round-off
 const DEGREE = Math.PI / 180;
 const TOOLS = ["positions", "path"];
 
@@ -166,8 +167,8 @@ export class Ask {
     return el("div", { class: "points" }, area, check("closed", this.closed, (on) => { this.closed = on; this.changed(); }, "closed path"));
   }
 
-  card({ type, error, transmission, picture }, k) {
-    const words = [this.path.length ? `off by ${quantity(error, "m")}` : "exact", `transmission ${Math.round(transmission / DEGREE)}°`];
+  card({ type, error, transmission, size, picture }, k) {
+    const words = [error > EXACT * size ? `off by ${quantity(error, "m")}` : "exact", `transmission ${Math.round(transmission / DEGREE)}°`];
     return el("button", { type: "button", class: "card", title: "Put it into the drawing", "aria-label": `put linkage ${k + 1}: ${type}, ${words.join(", ")}`, onclick: () => this.put(k) }, thumb(picture), el("b", {}, type), words.map((word) => el("span", {}, word)));
   }
 

@@ -34,6 +34,9 @@ FIRST, BEST, ROUNDS = 20, 14, 120
 LARGE = 6.0
 """Longest link, of the size of the path."""
 
+EXACT = 1e-9
+"""Error, of the size of the path, that is round-off."""
+
 LONG = 0.9
 """Part of that length from which on a fit holds links back."""
 
@@ -276,14 +279,15 @@ def _told(kind: Kind, found: list[Linkage], told: dict[str, float], size: float,
     """What was reached, and what was left out though it comes nearer."""
     best = min((one.error for one in found), default=np.inf)
     plural = f"{kind[0].upper()}{kind[1:]}s"
-    head = f"{plural}: the nearest leaves the path by {best:.3g} m" if found else f"No {kind} was found along this path"
+    near = "meets the path exactly" if best < EXACT * size else f"leaves the path by {best:.3g} m"
+    head = f"{plural}: the nearest {near}" if found else f"No {kind} was found along this path"
     words = {
         "order": "meets the points in another order, or parts on the way",
         "turn": "has no crank that turns fully",
         "large": f"has links longer than {LARGE:g} times the path",
         "transmission": f"has a transmission angle below {math.degrees(math.asin(limit)):.0f} deg",
     }
-    near = {name: told[name] * size for name in words if told.get(name, np.inf) * size < best}
-    nearer = [f"one that {words[name]} comes within {value:.2g} m" for name, value in near.items()]
+    better = {name: told[name] * size for name in words if told.get(name, np.inf) * size < best}
+    nearer = [f"one that {words[name]} comes within {value:.2g} m" for name, value in better.items()]
     left = f" (left out: {'; '.join(nearer)}, on average)" if nearer else ""
     return f"{head}{left}."

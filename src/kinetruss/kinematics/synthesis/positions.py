@@ -82,8 +82,8 @@ def through(
     >>> import kinetruss as kt
     >>> flap = [(0.0, 0.0, 0.0), (0.3, 0.2, 0.6), (0.4, 0.6, 1.4)]
     >>> four_bar = kt.kinematics.synthesis.through(flap, kinds=("four-bar",), count=1)[0]
-    >>> four_bar.type, four_bar.error < 1e-12
-    ('triple rocker', True)
+    >>> four_bar.error < 1e-12, four_bar.transmission > 0.5
+    (True, True)
     """
     given = array_of(positions, "positions", {"positions": None, "(x, y, angle)": 3}, unit="m and rad")
     task = _Task.of(given, region)
