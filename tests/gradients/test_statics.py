@@ -73,7 +73,7 @@ def test_a_bar_with_the_section_of_the_model_gets_one_of_its_own():
 
 
 def test_numbers_that_do_nothing_have_no_effect():
-    model = redundant().with_(safety=kt.Safety(yielding=1.5, buckling=2.0))
+    model = redundant().with_(safety=kt.Safety(yielding=1.0, buckling=2.0))
     by = kt.gradient(
         kt.Response("energy", kt.statics.linear, model), ["safety.yielding", "material.poisson", "bars.N00N10.section.I2"]
     )

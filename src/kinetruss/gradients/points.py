@@ -15,7 +15,7 @@ from typing import TYPE_CHECKING, Any, Protocol
 
 import numpy as np
 
-from kinetruss.errors import AnalysisError
+from kinetruss.errors import AnalysisError, ModelError
 from kinetruss.gradients.differences import FOUR, TWO, Weighed, differences
 from kinetruss.gradients.nearness import parts_of
 from kinetruss.gradients.varied import STEP, TRIED, Varied
@@ -110,7 +110,10 @@ def gradients_at(point: Point, by: Varied, seeds: Sequence[Mapping[str, Floats]]
     trials += [one for one in (by.of_records * by.trial, -(by.of_records * by.trial)) if by.of_records.any()]
     for own in by.kinds if trials else ():
         for change in (np.where(own, one, 0.0) for one in trials if (one * own).any()):
-            effect = weights @ (anew.of(change) - first)
+            try:
+                effect = weights @ (anew.of(change) - first)
+            except ModelError:  # at the end of what may be given
+                continue
             if missed(effect - found @ change):
                 found[:, own] = differences(anew, near, np.where(own, step, 0.0), count)[:, own]
                 if missed(effect - found @ change):
