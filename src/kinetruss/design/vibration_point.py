@@ -95,6 +95,9 @@ class VibrationPoint:
         """Frequencies are nowhere in particular."""
         return np.full(self.modes, -1) if name == "frequency" else sites(self.system)["node"]
 
+    def refuse(self, seeds: Any) -> None:
+        """Of frequencies that meet, each keeps its own: nothing is refused."""
+
     def residual(self, system: System) -> Floats:
         """The equations of every mode at other numbers."""
         K, M = self._matrices(system)
