@@ -16,9 +16,7 @@ Examples:
 """
 
 
-@click.command(
-    cls=Verb, context_settings=HELP, epilog=EPILOG, short_help="Least mass, force ... within limits, with a certificate."
-)
+@click.command(cls=Verb, context_settings=HELP, epilog=EPILOG, short_help="Least mass or force within limits, certified.")
 @click.argument("task", metavar="FILE", type=FILE)
 @click.option("-o", "--out", type=click.Path(path_type=Path), help="Folder for every analysis, the result and the model.")
 @click.option("--overwrite", is_flag=True, help="Replace the search of another task in OUT. No other folder is ever changed.")
