@@ -70,6 +70,7 @@ def certificate(asked: Evaluations, p: NDArray[np.float64]) -> Certificate:
     problem = asked.problem
     objective, excess = asked.values(p)
     rows = worst_of_families(excess, problem.family, REACHED)
+    rows = rows[np.argsort(-excess[rows], kind="stable")]  # of instants that say the same the worst is taken
     slope_f, slope_g = asked.gradients(p, rows)
     z = problem.scaled(p)
     low, high = np.flatnonzero(z < REACHED**2), np.flatnonzero(z > 1 - REACHED**2)
