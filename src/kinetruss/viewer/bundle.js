@@ -4380,6 +4380,9 @@ ${i.vertexShader}`.replace("#include <project_vertex>",`#include <project_vertex
 .drawing .task .position { fill: none; stroke: var(--pen-1); stroke-width: 4; stroke-linecap: round; }
 .starters { position: absolute; left: 10px; right: 10px; bottom: 40px; border: 1px solid var(--line); border-radius: 8px; background: color-mix(in srgb, var(--card) 94%, transparent); padding: 4px 8px 6px; z-index: 1; }
 .starters[hidden] { display: none; }
+@media (max-height: 700px) {
+  .starters:not(.all) { display: none; } /* it would lie over where one draws; they stand in the panel too */
+}
 .starters header { display: flex; gap: 8px; align-items: center; }
 .starters header b { flex: 1; }
 #kinetruss .starters header button { min-width: 44px; min-height: 44px; }
