@@ -4,10 +4,10 @@ from __future__ import annotations
 
 from collections.abc import Callable, Hashable
 from functools import update_wrapper
-from typing import TYPE_CHECKING, Any, Concatenate, ParamSpec, TypeVar, cast
+from typing import Any, Concatenate, ParamSpec, TypeVar, cast
 
-if TYPE_CHECKING:
-    from kinetruss.mechanics.system import System
+System = Any
+"""`mechanics.System`, whose file imports this one."""
 
 Key = ParamSpec("Key")
 Found = TypeVar("Found")

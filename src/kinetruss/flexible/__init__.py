@@ -10,8 +10,8 @@ from kinetruss.late import late
 if TYPE_CHECKING:
     from kinetruss.flexible._corrected import Corrected as Corrected, corrected as corrected
     from kinetruss.flexible._damped import ActiveDamping as ActiveDamping, active_damping as active_damping
-    from kinetruss.flexible._frequencies import Frequencies as Frequencies, frequencies as frequencies
     from kinetruss.flexible._simulate import simulate as simulate
     from kinetruss.flexible._vibration import Vibration as Vibration, vibration as vibration
+    from kinetruss.flexible.natural_frequencies import Frequencies as Frequencies, frequencies as frequencies
 
 __getattr__, __dir__, __all__ = late(__name__)

@@ -11,7 +11,7 @@ import xarray as xr
 from scipy.sparse import block_array, csc_array, diags_array
 
 from kinetruss.errors import AnalysisError, InputError
-from kinetruss.flexible._structure import Instant, Softness, instants_of
+from kinetruss.flexible.structure import Instant, Softness, instants_of
 from kinetruss.kernels.structure.structure import LENGTH
 from kinetruss.mechanics import RANK_TOLERANCE, System, compile, constraint_jacobian, ends_of, row_scales
 from kinetruss.mechanics.coordinates import Coordinate, coordinate_values, coordinates, derivatives_of

@@ -12,7 +12,7 @@ import xarray as xr
 
 from kinetruss.arrays import array_of
 from kinetruss.errors import InputError
-from kinetruss.flexible._structure import Instant, Softness, instants_of, modes_of, refuse_unloaded_beams
+from kinetruss.flexible.structure import Instant, Softness, instants_of, modes_of, refuse_unloaded_beams
 from kinetruss.kernels.structure.structure import LENGTH
 from kinetruss.mechanics import System, compile
 from kinetruss.model import Model, nearest

@@ -9,8 +9,8 @@ import numpy as np
 
 from kinetruss.dynamics import inverse, simulate as simulated
 from kinetruss.errors import InputError
-from kinetruss.flexible._structure import Instant, Softness, instants_of
 from kinetruss.flexible._vibration import settled_of
+from kinetruss.flexible.structure import Instant, Softness, instants_of
 from kinetruss.kernels.structure.structure import LENGTH
 from kinetruss.kinematics import follow, sample
 from kinetruss.mechanics import System, compile

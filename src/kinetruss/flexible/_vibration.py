@@ -10,7 +10,7 @@ import numpy as np
 import xarray as xr
 
 from kinetruss.errors import AnalysisError, InputError
-from kinetruss.flexible._structure import Instant, Softness, elastic_stiffness, instants_of, modes_of, refuse_unloaded_beams
+from kinetruss.flexible.structure import Instant, Softness, elastic_stiffness, instants_of, modes_of, refuse_unloaded_beams
 from kinetruss.kernels.structure.structure import LENGTH
 from kinetruss.mechanics import System, compile, ends_of
 from kinetruss.mechanics.arguments import number_of

@@ -37,7 +37,6 @@ from kinetruss.mechanics.system import standing_for
 if TYPE_CHECKING:
     from numpy.typing import NDArray
 
-    from kinetruss.gradients.along import AlongPoint
     from kinetruss.model import Model
 
     Floats = NDArray[np.float64]
@@ -68,7 +67,7 @@ class Solved(NamedTuple):
 class Instants:
     """The instants that responses read in one load case, with their states, and what responses read of them."""
 
-    def __init__(self, of: AlongPoint, by: Varied, c: int, seeds: Sequence[Seeds]) -> None:
+    def __init__(self, of: Any, by: Varied, c: int, seeds: Sequence[Seeds]) -> None:
         self.of, self.by, self.system, self.model = of, by, of.system, of.model
         self.case, self.along, self.forces = of.cases[c], of.by_case[c], of.asked.forces
         self.names = [name for name in dict.fromkeys(n for one in seeds for n in one) if name != "mass"]

@@ -15,8 +15,8 @@ import numpy as np
 
 from kinetruss.dynamics.least_norm import apply_loads
 from kinetruss.errors import AnalysisError
-from kinetruss.flexible._frequencies import MORE
-from kinetruss.flexible._structure import Softness, instants_of, modes_of, refuse_unloaded_beams, structure_at
+from kinetruss.flexible.natural_frequencies import MORE
+from kinetruss.flexible.structure import Softness, instants_of, modes_of, refuse_unloaded_beams, structure_at
 from kinetruss.gradients.eigenvalues import Eigenvalues
 from kinetruss.gradients.kinks import refuse_kinks
 from kinetruss.gradients.nearness import site_of_rows, sites

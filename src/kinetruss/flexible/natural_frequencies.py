@@ -9,7 +9,7 @@ import numpy as np
 import xarray as xr
 
 from kinetruss.errors import InputError
-from kinetruss.flexible._structure import Softness, instants_of, modes_of, refuse_unloaded_beams
+from kinetruss.flexible.structure import Softness, instants_of, modes_of, refuse_unloaded_beams
 from kinetruss.mechanics import System, compile
 from kinetruss.model import Model
 from kinetruss.results import Forces, Result, provenance, variable
