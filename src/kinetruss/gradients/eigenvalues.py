@@ -11,6 +11,7 @@ that weighs them alike (Seyranian, Lund & Olhoff, Structural Optimization 8 (199
 
 from __future__ import annotations
 
+from abc import ABC, abstractmethod
 from collections.abc import Mapping, Sequence
 from typing import TYPE_CHECKING
 
@@ -33,7 +34,7 @@ ALIKE = 1e-6
 """Weights of repeated eigenvalues that differ by less than this fraction are equal."""
 
 
-class Eigenvalues:
+class Eigenvalues(ABC):
     """The results of a `Point`: one variable along its modes.
 
     values (modes,) : all that are known, of which users read the first `shown`. terms : of each of these (shown, k) with fixed
@@ -49,9 +50,9 @@ class Eigenvalues:
     shown: int
     at_terms: NDArray[np.int64]
 
+    @abstractmethod
     def terms(self, system: System, unknown: Floats) -> Floats:
         """The terms with other numbers and unknowns."""
-        raise NotImplementedError
 
     def data(self) -> xr.Dataset:
         """The eigenvalues as users read them."""

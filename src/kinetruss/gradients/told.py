@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from abc import ABC, abstractmethod
 from collections.abc import Callable, Mapping, Sequence
 from functools import cached_property
 from typing import TYPE_CHECKING, Any, ClassVar
@@ -23,7 +24,7 @@ if TYPE_CHECKING:
     Terms = tuple[Floats, NDArray[np.int64]]
 
 
-class Told:
+class Told(ABC):
     """The results of a `Point`. An analysis says its variables, and of sums their terms and where they are."""
 
     system: System
@@ -31,9 +32,9 @@ class Told:
     sums: ClassVar[Mapping[str, tuple[Callable[..., Any], str, str]]] = {}
     """Results that are sums, by name: the method for terms and sites at a system and unknowns, the unit, and words."""
 
+    @abstractmethod
     def told(self, system: System, unknown: Floats) -> tuple[dict[str, Any], dict[str, Any]]:
         """The variables with other numbers and unknowns, and the names along their axes."""
-        raise NotImplementedError
 
     @cached_property
     def here(self) -> xr.Dataset:

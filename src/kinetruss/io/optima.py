@@ -6,9 +6,10 @@ from collections.abc import Iterable
 from dataclasses import replace
 from pathlib import Path
 
-from kinetruss.errors import Fault, ModelError
-from kinetruss.io.yaml_text import MAX_SIZE, locate, parse, plain, read_text, refuse
-from kinetruss.model import OptimumTask, of_file
+from kinetruss.errors import Fault
+from kinetruss.io.records import MODEL_KEYS, record_of_file
+from kinetruss.io.yaml_text import MAX_SIZE, locate, parse, read_text
+from kinetruss.model import OptimumTask
 
 START = "Start with kinetruss_optimum: 1, then model, least, variables, limits."
 
@@ -34,26 +35,9 @@ def read_optimum(path: str | Path, *, max_size: int = MAX_SIZE) -> OptimumTask:
     ('mass', ('bars.*.section.area',))
     """
     path = Path(path)
-    try:
-        tree, faults = parse(path, read_text(path, max_size))
-        if tree is None:
-            raise refuse("is empty.", START, (1, 1))
-        if tree.table is None:
-            raise refuse("is not a table of names.", START, tree.place)
-        if keys := [key for key in ("kinetruss", "library", "nodes", "kinetruss_mission") if key in tree.table]:
-            what = "a mission" if keys[0] == "kinetruss_mission" else "a model"
-            place = (tree.keys or {}).get(keys[0])
-            raise refuse(f"is {what}, not the task of an optimum.", START, place, (keys[0],))
-        if faults:
-            raise ModelError(faults)
-        try:
-            with of_file():
-                task = OptimumTask(**plain(tree))
-        except ModelError as error:
-            located = [locate(fault, tree) for fault in error.faults]
-            raise ModelError(sorted(located, key=lambda fault: (fault.line or 0, fault.column or 0))) from None
-    except ModelError as error:
-        raise ModelError([replace(fault, file=fault.file or str(path)) for fault in error.faults], str(path)) from None
+    others = dict.fromkeys(MODEL_KEYS, ("is a model, not the task of an optimum.", "A task names it: model: FILE."))
+    others["kinetruss_mission"] = ("is a mission, not the task of an optimum.", "Size it by kinetruss size.")
+    task = record_of_file(path, lambda data: OptimumTask(**data), START, others, max_size)
     return task if task.model is None else task.with_(model=str(path.parent / task.model))
 
 
