@@ -16,24 +16,20 @@ import numpy as np
 import xarray as xr
 
 from kinetruss.dynamics.equations import with_numbers
-from kinetruss.dynamics.integrators import jumps, watched
+from kinetruss.dynamics.integrators import jumps
 from kinetruss.dynamics.simulation import stepper_for, wanted_times
-from kinetruss.dynamics.simulation_problem import Problem, all_rows
-from kinetruss.dynamics.simulation_records import Trace, simulation_of
+from kinetruss.dynamics.simulation_records import simulation_of
 from kinetruss.dynamics.simulation_setup import Options, problem_of, seconds
 from kinetruss.dynamics.starting import given_positions, given_velocities
-from kinetruss.errors import AnalysisError, InputError
-from kinetruss.gradients.differences import FOUR, TWO, Weighed, differences
+from kinetruss.errors import AnalysisError
+from kinetruss.gradients.differences import TWO, Weighed, differences
 from kinetruss.gradients.nearness import parts_of, site_of_rows, sites, sites_along
 from kinetruss.gradients.run_adjoint import STAGES, Columns, States, Varying, back_through, edges_between, gauss
+from kinetruss.gradients.run_equations import At, gaps, refuse
+from kinetruss.gradients.run_start import of_start
 from kinetruss.gradients.varied import STEP, Varied
-from kinetruss.kernels.coordinates.straight_line import addresses_of
-from kinetruss.kernels.integrate.state import COORDINATE, FORCE, LENGTH
-from kinetruss.kernels.solve.kkt import prepare_rows, row_gaps, row_gradients, row_rate_gaps
-from kinetruss.kernels.solve.residuals import residuals
-from kinetruss.kernels.structure.terms import measure_value
 from kinetruss.mechanics import System, compile
-from kinetruss.model import ERROR_CONTROLLED, Model, Radau
+from kinetruss.model import Model, Radau
 from kinetruss.results.user_parts import users_of
 from kinetruss.threads import one_thread
 
@@ -55,39 +51,10 @@ GOOD, BEST, FAIR = 3e-10, 3, 100.0
 above which there is no result."""
 ROOM, STORED = 32e6, 400e6
 """Bytes of the derivatives, and of the states, that are held at once."""
-MOVED = 1e-12
-"""Change of the start by its projection, relative, that is round-off."""
-JUMP = 0.1
-"""Second difference of a start, as a share of the step of a number, from which on it is no smooth function of it."""
 LEFT_OUT = ("step_size", "smallest_pivot", "constraint_error", "steps", "rejected", "evaluations", "singularity")
 """What the integration tells of itself."""
 PLAIN = {"position": 0, "velocity": 1, "acceleration": 2}
 """Variables that are x, v and a of nodes."""
-
-
-@dataclass(frozen=True, eq=False)
-class _At:
-    """The equations of a run with some numbers. given : places and velocities (3 n,) before they are brought onto the
-    constraints. shift (3 n,) : of supports.
-    """
-
-    problem: Problem
-    given: tuple[Floats, Floats]
-    shift: Floats
-
-    def solved(self, at: States) -> tuple[States, Floats]:
-        """The states with these numbers at the same free coordinates, and their residual (s, free + rows)."""
-        eq, x, v, a = self.problem.eq, at.x + self.shift, at.v, at.a
-        if len(eq.held):  # they are set
-            v, a = v.copy(), a.copy()
-        out = np.empty((len(x), len(eq.free) + len(eq.row)))
-        residuals(eq, self.problem.ws, at.t, x, v, a, at.N, out)
-        return States(at.t, x, v, a, at.N), out
-
-    def trace(self, at: States) -> Trace:
-        """Samples of solved states."""
-        N = all_rows(self.problem, at.t, at.x, at.v, at.N)
-        return Trace(t=at.t, x=at.x, v=at.v, a=at.a, N=N, extra=np.zeros((len(N), 0)), diagnostics=np.zeros((len(N), 6)))
 
 
 class RunPoint:
@@ -109,7 +76,7 @@ class RunPoint:
         self.model, self.options = model, Options(**options)
         self.t_end = float(t[-1]) if t_end is None else seconds(t_end)
         self.problem = problem_of(model, self.t_end, self.options)
-        _refuse(self.problem, self.options)
+        refuse(self.problem, self.options)
         self.work: Any = stepper_for(self.problem, self.t_end)
         self._noted: list[tuple[float, float]] = []
         self.trace = self.work.advance(t, steps=self._noted)
@@ -121,7 +88,7 @@ class RunPoint:
                 f"The run passes a singular position at t = {self.result.passages[0].time:.6g} s; there its gradient is not "
                 "known. End the run before it."
             )
-        self._others: dict[bytes, _At] = {}
+        self._others: dict[bytes, At] = {}
 
     @cached_property
     def _records(self) -> dict[str, Any]:
@@ -149,23 +116,24 @@ class RunPoint:
     # The equations with other numbers.
 
     @cached_property
-    def _base(self) -> _At:
+    def base(self) -> At:
+        """The equations with the numbers of the run."""
         x, v = (
             given_positions(self.problem.system, self.options.positions),
             given_velocities(self.problem.system, self.options.velocities),
         )
-        return _At(self.problem.fresh(), (x, v), np.zeros_like(x))
+        return At(self.problem.fresh(), (x, v), np.zeros_like(x))
 
-    def _made(self, system: System, model: Model) -> _At:
-        old, given = self._base.problem, self.options.trajectory
+    def _made(self, system: System, model: Model) -> At:
+        old, given = self.base.problem, self.options.trajectory
         moving = model.trajectories[given] if isinstance(given, str) else given
         eq = with_numbers(old.eq, system, old.load_case, old.tasks, moving, self.t_end)
         start = given_positions(system, self.options.positions), given_velocities(system, self.options.velocities)
-        shift = start[0] - self._base.given[0]
+        shift = start[0] - self.base.given[0]
         shift[eq.free] = 0.0
-        return _At(replace(old, system=system, eq=eq), start, shift)
+        return At(replace(old, system=system, eq=eq), start, shift)
 
-    def _at(self, by: Varied, change: Floats) -> _At:
+    def at(self, by: Varied, change: Floats) -> At:
         """With numbers changed by (K,)."""
         key = change.tobytes()
         if key not in self._others:
@@ -174,7 +142,7 @@ class RunPoint:
             self._same_jumps(found)
         return self._others[key]
 
-    def _changed(self, by: Varied, change: Floats, anew: bool) -> _At:
+    def _changed(self, by: Varied, change: Floats, anew: bool) -> At:
         """The same by the numbers of the elements alone, or by the model set up anew."""
         model = by.model_at(change) if anew else self.model
         return self._made(compile(model) if anew else by.changed(change), model)
@@ -187,7 +155,7 @@ class RunPoint:
             change = np.zeros(count)
             change[which] = CLOSE * by.scale[which]
             one, two, base = (
-                self._values(at, read) for at in (*(self._changed(by, change, anew) for anew in (False, True)), self._base)
+                self._values(at, read) for at in (*(self._changed(by, change, anew) for anew in (False, True)), self.base)
             )
             if one.shape != two.shape or one.shape != base.shape:
                 return False
@@ -205,16 +173,16 @@ class RunPoint:
         self._anew = np.zeros(count, bool)
         self._anew[untold(np.arange(count))] = True
 
-    def _values(self, at: _At, read: _Reading) -> Floats:
+    def _values(self, at: At, read: _Reading) -> Floats:
         """All that depends on numbers at fixed states: the equations, the start, what is read."""
         states, left = at.solved(read.states)
         eq = at.problem.eq
         times = [eq.piece_start, eq.force_time, eq.load_time]
         return np.concatenate([left.reshape(-1), eq.reals, *times, *at.given, self._columns(at, states, read).reshape(-1)])
 
-    def _same_jumps(self, other: _At) -> None:
+    def _same_jumps(self, other: At) -> None:
         """Refuse numbers that move an instant at which a drive or support jumps, or a bend onto a sample of forces."""
-        one, two = self._base.problem.eq, other.problem.eq
+        one, two = self.base.problem.eq, other.problem.eq
         if np.array_equal(one.piece_start, two.piece_start):
             return
         given = {*one.force_time.tolist(), *one.load_time.tolist()}
@@ -231,8 +199,9 @@ class RunPoint:
             )
 
     @cached_property
-    def _varying(self) -> Varying:
-        base, system = self._base, self.problem.system
+    def varying(self) -> Varying:
+        """How the residual varies with states."""
+        base, system = self.base, self.problem.system
         eq, parts, at = base.problem.eq, parts_of(system), sites(system)
         node = np.repeat(at["node"], 3)[eq.free]
         rows = site_of_rows(system)[eq.row]
@@ -255,7 +224,7 @@ class RunPoint:
         found = users_of(whole.isel(time=[0]), name)
         return tuple(np.asarray(one).reshape(-1) for one in found[1:])
 
-    def _columns(self, at: _At, states: States, read: _Reading) -> Floats:
+    def _columns(self, at: At, states: States, read: _Reading) -> Floats:
         """Values (s, values) at solved states of `at`."""
         found, count = [], len(states.t)
         if read.others:
@@ -274,24 +243,7 @@ class RunPoint:
             else:
                 values = parts[read.part[name]].arrays[name].values
             found.append(values[np.ix_(np.arange(count), *read.kept[name])].reshape(count, -1))
-        return np.concatenate([*found, self._gaps(at, states)], axis=1)
-
-    def _gaps(self, at: _At, states: States) -> Floats:
-        """What each event watches, less its value, (s, events)."""
-        problem, found = at.problem, []
-        for one in watched(problem.system, self._base.problem.eq, problem.events):
-            if one.kind == COORDINATE:
-                own = states.x[:, one.a]
-            elif one.kind == LENGTH:
-                own = np.linalg.norm(states.x[:, one.b : one.b + 3] - states.x[:, one.a : one.a + 3], axis=1)
-            elif one.kind == FORCE:
-                own = states.N[:, one.a]
-            else:
-                kinds, places, data = (np.array(column) for column in zip(*one.terms, strict=True))
-                forms, data = addresses_of(kinds), data.astype(float)
-                own = np.array([measure_value(forms, places, data, 0, len(data), x) for x in states.x])
-            found.append(own - one.value)
-        return np.array(found).reshape(len(found), len(states.t)).T
+        return np.concatenate([*found, gaps(at.problem, self.base.problem.eq, states)], axis=1)
 
     @one_thread
     def gradients(self, by: Varied, seeds: Sequence[Mapping[str, Floats]]) -> Floats:
@@ -315,7 +267,7 @@ class RunPoint:
                 f"The gradient along the run is not known to more than {error:.2g} of its size: a force that jumps or bends "
                 "(dry friction, an impact), or a motion that the method follows too roughly. Tighten rtol, or smooth it."
             )
-        return found + gradient + self._of_start(by, start)
+        return found + gradient + of_start(self, by, start)
 
     def _reading(self, seeds: Sequence[Mapping[str, Floats]]) -> _Reading:
         """What is read where: seeds at marks, with what follows from times of events, reduced to weights of places and
@@ -330,7 +282,7 @@ class RunPoint:
         if min(places, default=0) < 0:
             states = self._states(self._stepper(), times)
         else:
-            row, trace = self._base.problem.eq.row, self.trace
+            row, trace = self.base.problem.eq.row, self.trace
             states = States(trace.t, trace.x, trace.v, trace.a, trace.N[:, row]).part(places)
         homes = {id(self.result): "result", id(self.result.motion): "motion", id(self.result.forces): "forces"}
         part = {name: homes[id(self._records[name])] for name in names}
@@ -393,7 +345,7 @@ class RunPoint:
 
     def _reduce(self, read: _Reading) -> None:
         """Weights of places and velocities at the marks (marks, k, free), and of the residual there, from those of values."""
-        vary, base, states, weight = self._varying, self._base, read.states, read.weight.swapaxes(0, 1)
+        vary, base, states, weight = self.varying, self.base, read.states, read.weight.swapaxes(0, 1)
         eq, used = base.problem.eq, np.flatnonzero(np.abs(read.weight).max(axis=(0, 1), initial=0.0) > 0)
 
         def by(name: str, flat: NDArray[np.int64], step: Floats, columns: Columns, points: Any = TWO) -> Floats:
@@ -437,7 +389,7 @@ class RunPoint:
 
     def _plain(self, read: _Reading) -> list[Floats]:
         """Weights of free coordinates of x, v, a where nothing else is read."""
-        free, first = self._base.problem.eq.free, 0
+        free, first = self.base.problem.eq.free, 0
         whole = np.zeros((3, *read.weight.shape[:2], *self.problem.system.x0.shape))
         for name in read.names:
             nodes, axes = read.kept[name]
@@ -455,7 +407,7 @@ class RunPoint:
                 m = int(np.flatnonzero(read.states.t == t)[0])
                 own, size = (
                     rate[m, k + j],
-                    float(np.abs(read.sx[m, k + j]) @ np.abs(read.states.v[m, self._base.problem.eq.free])),
+                    float(np.abs(read.sx[m, k + j]) @ np.abs(read.states.v[m, self.base.problem.eq.free])),
                 )
                 if not abs(own) > 1e-9 * size or own == 0.0:
                     raise AnalysisError(f"What is watched only touches its value at t = {t:.6g} s; that time has no gradient.")
@@ -469,12 +421,12 @@ class RunPoint:
 
     def _rates(self, read: _Reading) -> Floats:
         """Rates (marks, k) of what is read along the motion."""
-        at, free = read.states, self._base.problem.eq.free
+        at, free = read.states, self.base.problem.eq.free
         found = np.einsum("mkf,mf->mk", read.sx, at.v[:, free]) + np.einsum("mkf,mf->mk", read.sv, at.a[:, free])
         step = 1e-6 * self.t_end
         for way in (1.0, -1.0):
-            states, left = self._base.solved(at._replace(t=at.t + way * step))
-            values = self._columns(self._base, states, read)
+            states, left = self.base.solved(at._replace(t=at.t + way * step))
+            values = self._columns(self.base, states, read)
             found += way * 0.5 / step * (np.einsum("kmv,mv->mk", read.weight, values) - np.einsum("mkr,mr->mk", read.z, left))
         return np.asarray(found)
 
@@ -483,16 +435,16 @@ class RunPoint:
         k = read.weight.shape[0]
 
         def of(change: Floats) -> Floats:
-            at = self._at(by, change)
+            at = self.at(by, change)
             states, left = at.solved(read.states)
             values = np.einsum("kmv,mv->kv", read.weight, self._columns(at, states, read))
             return np.concatenate([-np.einsum("mkr,mr->kr", read.z, left), values], axis=1).reshape(-1)
 
-        return self._by_numbers(by, of, np.concatenate([self._varying.site, read.site]), k)
+        return self.by_numbers(by, of, np.concatenate([self.varying.site, read.site]), k)
 
-    def _by_numbers(self, by: Varied, of: Any, site: NDArray[np.int64], k: int) -> Floats:
+    def by_numbers(self, by: Varied, of: Any, site: NDArray[np.int64], k: int) -> Floats:
         """Derivatives (k, numbers) of k sums of terms (k m,), each at a node (m,)."""
-        weight, vary = np.kron(np.eye(k), np.ones(len(site))).astype(float), self._varying
+        weight, vary = np.kron(np.eye(k), np.ones(len(site))).astype(float), self.varying
         step = (STEP if vary.elastic else CLOSE) * by.scale
         return differences(Weighed(of, weight, np.tile(site, k)), by.near, step, vary.columns.nodes, vary.points)
 
@@ -507,7 +459,7 @@ class RunPoint:
             raise AnalysisError(
                 f"The run cannot be repeated beyond t = {found.t[-1]:.6g} s. Run it again with tighter tolerances."
             )
-        return States(found.t, found.x, found.v, found.a, np.ascontiguousarray(found.N[:, self._base.problem.eq.row]))
+        return States(found.t, found.x, found.v, found.a, np.ascontiguousarray(found.N[:, self.base.problem.eq.row]))
 
     @cached_property
     def _steps(self) -> tuple[Floats, Floats]:
@@ -519,7 +471,7 @@ class RunPoint:
 
     def _swept(self, by: Varied, read: _Reading) -> tuple[Floats, Floats, float]:
         """Derivatives (k, numbers) by what numbers do along the run; the adjoint (k, 2 free) at the start; its error."""
-        vary, base, k = self._varying, self._base, read.weight.shape[0]
+        vary, base, k = self.varying, self.base, read.weight.shape[0]
         f, last, stiff = len(vary.free), float(read.states.t[-1]), isinstance(self.problem.method, Radau)
         jump = {float(t): np.concatenate([sx, sv], axis=1) for t, sx, sv in zip(read.states.t, read.sx, read.sv, strict=True)}
         adjoint, found = jump[last], np.zeros((k, len(by.names)))
@@ -544,7 +496,7 @@ class RunPoint:
             adjoint = earlier[0] + jumps_here[0]
             of_a = inner.reshape(len(h) * STAGES, k, f)
             z = vary.weights(tangent, of_a)
-            found -= self._by_numbers(by, lambda change, at=at, z=z: self._sums(by, change, at, z), vary.site, k)
+            found -= self.by_numbers(by, lambda change, at=at, z=z: self._sums(by, change, at, z), vary.site, k)
             # l^T (v, a) changes by what depends on time
             rate = np.concatenate([every.v[ends][:, vary.free], every.a[ends][:, vary.free]], axis=1)
             gain = np.einsum("ckf,cf->ck", later, rate[1:]) - np.einsum("ckf,cf->ck", earlier, rate[:-1])
@@ -560,7 +512,7 @@ class RunPoint:
         return found, adjoint, float((error / scale).max(initial=0.0))
 
     def _sums(self, by: Varied, change: Floats, at: States, z: Floats) -> Floats:
-        return np.asarray(np.einsum("skr,sr->kr", z, self._at(by, change).solved(at)[1]).reshape(-1))
+        return np.asarray(np.einsum("skr,sr->kr", z, self.at(by, change).solved(at)[1]).reshape(-1))
 
     def _backwards(self, edges: Floats, each: int, c: Floats) -> Iterator[tuple[Floats, States]]:
         """From the end to the start, ends of at most so many cells, and the states at these and at the places c between.
@@ -585,63 +537,6 @@ class RunPoint:
                 first, last = block.start - part[0].start, block.stop - 1 - part[0].start
                 yield edges[block], every.part(slice(first * per, last * per + 1))
 
-    # The start.
-
-    def _of_start(self, by: Varied, adjoint: Floats) -> Floats:
-        """Derivatives (k, numbers) by what numbers change at the start, from its adjoint (k, 2 free)."""
-        base, free, f = self._base, self._varying.free, len(self._varying.free)
-        x, v = (one[free] for one in base.given)
-        moved = np.abs(x - self.problem.x0[free]).max(initial=0.0) > MOVED * float(np.ptp(self.problem.x0))
-        if moved or np.any(v) or np.any(self.problem.v0[free]):
-            return self._of_projected_start(by, adjoint)
-        eq = base.problem.eq
-        still = States(
-            np.zeros(1),
-            self.problem.x0[None],
-            self.problem.v0[None],
-            np.zeros((1, base.shift.size)),
-            np.zeros((1, len(eq.row))),
-        )
-        tangent = self._varying.tangent(still)
-        halves = np.concatenate([adjoint[:, :f], adjoint[:, f:]])[None]
-        # M q + J^T n = l, J q = 0 : n is what the gaps of the rows count
-        count = self._varying.weights(tangent, halves)[0][:, f:]
-        k = len(adjoint)
-
-        def of(change: Floats) -> Floats:
-            at = self._at(by, change)
-            place, speed = (one.copy() for one in at.given)
-            prepare_rows(at.problem.eq, at.problem.ws, 0.0, place, speed)
-            row_gradients(at.problem.eq, at.problem.ws, place)
-            gaps, rates = np.empty(len(eq.row)), np.empty(len(eq.row))
-            row_gaps(at.problem.eq, place, at.problem.ws.target, gaps)
-            row_rate_gaps(at.problem.eq, at.problem.ws, place, speed, at.problem.ws.target, rates)
-            by_rows = -(count[:k] * gaps + count[k:] * rates)
-            return np.concatenate([adjoint[:, :f] * place[free] + adjoint[:, f:] * speed[free], by_rows], axis=1).reshape(-1)
-
-        return self._by_numbers(by, of, self._varying.site, k)
-
-    def _of_projected_start(self, by: Varied, adjoint: Floats) -> Floats:
-        """The same where the start is moved onto the constraints: by the whole set-up at changed numbers, one by one."""
-        free, found = self._varying.free, np.zeros((len(adjoint), len(by.names)))
-        here = np.concatenate([self.problem.x0[free], self.problem.v0[free]])
-        size = np.repeat([float(np.abs(one).max(initial=0.0)) or 1.0 for one in (self.problem.x0, self.problem.v0)], len(free))
-        for j in range(len(by.names)):
-            states = []
-            for share, _ in FOUR:
-                change = np.zeros(len(by.names))
-                change[j] = share * STEP * by.scale[j]
-                start = problem_of(by.model_at(change), self.t_end, self.options)
-                states.append(np.concatenate([start.x0[free], start.v0[free]]))
-            if (np.abs(states[0] + states[1] - 2.0 * here) > JUMP * STEP * size).any():
-                raise AnalysisError(
-                    f"The start jumps with {by.names[j]}: velocities fit the constraints there and not beside it. Give "
-                    "velocities of all nodes, or none."
-                )
-            slope = sum(weight * state for (_, weight), state in zip(FOUR, states, strict=True))
-            found[:, j] = adjoint @ slope / (STEP * by.scale[j])
-        return found
-
 
 @dataclass(eq=False)
 class _Reading:
@@ -661,25 +556,3 @@ class _Reading:
     z: Any = None
     share: float = 1.0
     error: float = field(default=np.inf)
-
-
-def _refuse(problem: Problem, options: Options) -> None:
-    """Refuse runs whose gradient is not known, by what in them it is."""
-    model = problem.system.model
-    found = {
-        f"{type(problem.method).__name__} has steps whose error of second order the gradient does not have: take Taylor, "
-        "DOP853 or Radau": not isinstance(problem.method, ERROR_CONTROLLED),
-        "motors with an input switch (friction, saturation): give the drives motions or forces": problem.motors is not None,
-        "the user's force has no derivatives: give it as a load": options.user_force is not None,
-        "drives are fed back: give them motions or forces": options.feedback is not None,
-        "the base rotates: take one that does not": problem.user.given
-        and options.user_force is None
-        and options.feedback is None,
-        "there is dry friction in bearings: leave it out": bool(model.bearings),
-        "rigid links keep the shape of beams: make them elastic, or bars": problem.shapes is not None,
-        "the start is at or near a singular position: start beside it": bool(problem.singular and problem.singular.near),
-        "nothing is free to move: take dynamics.inverse": not len(problem.eq.free),
-    }
-    for why, holds in found.items():
-        if holds:
-            raise InputError(f"The run has no gradient: {why}.")
