@@ -93,15 +93,14 @@ def frequency_task(E: float, **options: Any) -> tuple[kt.Model, kt.OptimumTask]:
     """Ten bars with 454 kg at each free node: frequencies of at least 7, 15 and 20 Hz."""
     truss = ten_bars(E=f"{E} Pa", density="2770 kg/m^3", area=20e-4, mass=454.0)
     both = " + ".join(f"(frequency[{k}]*s/20)**-{SHARPNESS}" for k in (3, 4))
+    own: dict[str, Any] = {"analysis": "flexible.frequencies", "arguments": {"modes": 4}}
     limits: dict[str, Any] = {
-        "first": {"of": "frequency[1]", "at_least": "7 Hz"},
-        "second": {"of": "frequency[2]", "at_least": "15 Hz"},
-        "third": {"of": f"({both})**-{1 / SHARPNESS}", "at_least": 1.0},
+        "first": {"of": "frequency[1]", "at_least": "7 Hz", **own},
+        "second": {"of": "frequency[2]", "at_least": "15 Hz", **own},
+        "third": {"of": f"({both})**-{1 / SHARPNESS}", "at_least": 1.0, **own},
     }
     variables = areas(truss, "0.645 cm^2", "50 cm^2")
-    return truss, kt.OptimumTask(
-        variables=variables, limits=limits, analysis="flexible.frequencies", arguments={"modes": 4}, **options
-    )
+    return truss, kt.OptimumTask(variables=variables, limits=limits, **options)
 
 
 def frequency_mass(E: float) -> Numbers:
