@@ -1,8 +1,8 @@
-"""The equations of a run with other numbers, what its events watch, and the runs whose gradient is not known."""
+"""The equations of a run with other numbers, what is read of it, and the runs whose gradient is not known."""
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
@@ -48,6 +48,26 @@ class At:
         """Samples of solved states."""
         N = all_rows(self.problem, at.t, at.x, at.v, at.N)
         return Trace(t=at.t, x=at.x, v=at.v, a=at.a, N=N, extra=np.zeros((len(N), 0)), diagnostics=np.zeros((len(N), 6)))
+
+
+@dataclass(eq=False)
+class Reading:
+    """What responses read at marks (m,): names of variables; kept, part : where their values are; weight (k, m, values), site
+    (values,); sx, sv (m, k, free) and z (m, k, residuals) from them; share : longest cell in steps; error : of the adjoint.
+    """
+
+    names: list[str]
+    kept: dict[str, tuple[NDArray[np.int64], ...]]
+    part: dict[str, str]
+    others: bool
+    states: States
+    weight: Any = None
+    site: Any = None
+    sx: Any = None
+    sv: Any = None
+    z: Any = None
+    share: float = 1.0
+    error: float = field(default=np.inf)
 
 
 def gaps(problem: Problem, eq: Any, states: States) -> Floats:

@@ -6,9 +6,9 @@ follow from its state by the equations of motion; at the start, places and veloc
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Mapping, Sequence
 from copy import copy
-from dataclasses import dataclass, field, replace
+from dataclasses import replace
 from functools import cached_property
 from typing import TYPE_CHECKING, Any
 
@@ -25,7 +25,8 @@ from kinetruss.errors import AnalysisError
 from kinetruss.gradients.differences import TWO, Weighed, differences
 from kinetruss.gradients.nearness import parts_of, site_of_rows, sites, sites_along
 from kinetruss.gradients.run_adjoint import STAGES, Columns, States, Varying, back_through, edges_between, gauss
-from kinetruss.gradients.run_equations import At, gaps, refuse
+from kinetruss.gradients.run_equations import At, Reading, gaps, refuse
+from kinetruss.gradients.run_repeated import Repeated, steps_of
 from kinetruss.gradients.run_start import of_start
 from kinetruss.gradients.varied import STEP, Varied
 from kinetruss.mechanics import System, compile
@@ -44,13 +45,11 @@ SHARE = {"Taylor": 1.4, "DOP853": 2.75, "Radau": 2.75}
 """Longest cell in steps of the method."""
 REST = 1e-6
 """Speed of what rests, in lengths over the time of the run."""
-LEAST = 0.25
-"""Shortest step that counts, as a share of the median."""
 GOOD, BEST, FAIR = 3e-10, 3, 100.0
 """Error of the adjoint, or rtol if that is more, at which cells are short enough; how often they are halved; multiple of it
 above which there is no result."""
-ROOM, STORED = 32e6, 400e6
-"""Bytes of the derivatives, and of the states, that are held at once."""
+ROOM = 32e6
+"""Bytes of the derivatives that are held at once."""
 LEFT_OUT = ("step_size", "smallest_pivot", "constraint_error", "steps", "rejected", "evaluations", "singularity")
 """What the integration tells of itself."""
 PLAIN = {"position": 0, "velocity": 1, "acceleration": 2}
@@ -147,7 +146,7 @@ class RunPoint:
         model = by.model_at(change) if anew else self.model
         return self._made(compile(model) if anew else by.changed(change), model)
 
-    def _sort(self, by: Varied, read: _Reading) -> None:
+    def _sort(self, by: Varied, read: Reading) -> None:
         """Find the numbers on which more depends than the numbers of the elements tell: loads, motions, inputs."""
         count = len(by.names)
 
@@ -173,7 +172,7 @@ class RunPoint:
         self._anew = np.zeros(count, bool)
         self._anew[untold(np.arange(count))] = True
 
-    def _values(self, at: At, read: _Reading) -> Floats:
+    def _values(self, at: At, read: Reading) -> Floats:
         """All that depends on numbers at fixed states: the equations, the start, what is read."""
         states, left = at.solved(read.states)
         eq = at.problem.eq
@@ -197,6 +196,10 @@ class RunPoint:
                 f"A force or acceleration is read at t = {on[0]:.6g} s, where a motion ends or changes its form, and a number "
                 "moves that instant: it has one gradient before and one after it. Choose other samples."
             )
+
+    @cached_property
+    def _again(self) -> Repeated:
+        return Repeated(self.problem, self.t_end)
 
     @cached_property
     def varying(self) -> Varying:
@@ -224,7 +227,7 @@ class RunPoint:
         found = users_of(whole.isel(time=[0]), name)
         return tuple(np.asarray(one).reshape(-1) for one in found[1:])
 
-    def _columns(self, at: At, states: States, read: _Reading) -> Floats:
+    def _columns(self, at: At, states: States, read: Reading) -> Floats:
         """Values (s, values) at solved states of `at`."""
         found, count = [], len(states.t)
         if read.others:
@@ -269,7 +272,7 @@ class RunPoint:
             )
         return found + gradient + of_start(self, by, start)
 
-    def _reading(self, seeds: Sequence[Mapping[str, Floats]]) -> _Reading:
+    def _reading(self, seeds: Sequence[Mapping[str, Floats]]) -> Reading:
         """What is read where: seeds at marks, with what follows from times of events, reduced to weights of places and
         velocities.
         """
@@ -280,13 +283,13 @@ class RunPoint:
         times = np.unique(np.concatenate([self.trace.t[wanted], events[met, 1]]))
         places = [at.get(float(t), -1) for t in times]
         if min(places, default=0) < 0:
-            states = self._states(self._stepper(), times)
+            states = self._again.states(times)
         else:
             row, trace = self.base.problem.eq.row, self.trace
             states = States(trace.t, trace.x, trace.v, trace.a, trace.N[:, row]).part(places)
         homes = {id(self.result): "result", id(self.result.motion): "motion", id(self.result.forces): "forces"}
         part = {name: homes[id(self._records[name])] for name in names}
-        read = _Reading(names, kept, part, any(name not in PLAIN for name in names), states)
+        read = Reading(names, kept, part, any(name not in PLAIN for name in names), states)
         k, count = len(seeds), len(self.problem.events)
         pieces = []
         for name in names:
@@ -343,7 +346,7 @@ class RunPoint:
         own = sites_along(self.problem.system, one)
         return np.asarray(own[np.ix_(*self._kept(name))] if own.ndim else own)
 
-    def _reduce(self, read: _Reading) -> None:
+    def _reduce(self, read: Reading) -> None:
         """Weights of places and velocities at the marks (marks, k, free), and of the residual there, from those of values."""
         vary, base, states, weight = self.varying, self.base, read.states, read.weight.swapaxes(0, 1)
         eq, used = base.problem.eq, np.flatnonzero(np.abs(read.weight).max(axis=(0, 1), initial=0.0) > 0)
@@ -387,7 +390,7 @@ class RunPoint:
         read.z = z
         read.sx, read.sv = sx - z[:, :, vary.kept] @ tangent.rx, sv - z[:, :, vary.kept] @ tangent.rv
 
-    def _plain(self, read: _Reading) -> list[Floats]:
+    def _plain(self, read: Reading) -> list[Floats]:
         """Weights of free coordinates of x, v, a where nothing else is read."""
         free, first = self.base.problem.eq.free, 0
         whole = np.zeros((3, *read.weight.shape[:2], *self.problem.system.x0.shape))
@@ -399,7 +402,7 @@ class RunPoint:
             first += size
         return [one.reshape(*read.weight.shape[:2], -1)[:, :, free].swapaxes(0, 1) for one in whole]
 
-    def _follow_events(self, read: _Reading, met: list[tuple[int, float, Floats, bool]], k: int) -> None:
+    def _follow_events(self, read: Reading, met: list[tuple[int, float, Floats, bool]], k: int) -> None:
         """Add what the times of events change: dt = -(change of what is watched)/(its rate)."""
         if met:
             rate = self._rates(read)
@@ -419,7 +422,7 @@ class RunPoint:
                     read.weight[i, m] += share * read.weight[k + j, m]
         read.sx, read.sv, read.z, read.weight = read.sx[:, :k], read.sv[:, :k], read.z[:, :k], read.weight[:k]
 
-    def _rates(self, read: _Reading) -> Floats:
+    def _rates(self, read: Reading) -> Floats:
         """Rates (marks, k) of what is read along the motion."""
         at, free = read.states, self.base.problem.eq.free
         found = np.einsum("mkf,mf->mk", read.sx, at.v[:, free]) + np.einsum("mkf,mf->mk", read.sv, at.a[:, free])
@@ -430,7 +433,7 @@ class RunPoint:
             found += way * 0.5 / step * (np.einsum("kmv,mv->mk", read.weight, values) - np.einsum("mkr,mr->mk", read.z, left))
         return np.asarray(found)
 
-    def _of_marks(self, by: Varied, read: _Reading) -> Floats:
+    def _of_marks(self, by: Varied, read: Reading) -> Floats:
         """Derivatives by the numbers at fixed states of the marks."""
         k = read.weight.shape[0]
 
@@ -450,26 +453,7 @@ class RunPoint:
 
     # The adjoint along the run.
 
-    def _stepper(self) -> Any:
-        return stepper_for(self.problem.fresh(), self.t_end)
-
-    def _states(self, work: Any, t: Floats) -> States:
-        found = work.advance(t)
-        if len(found.t) < len(t):
-            raise AnalysisError(
-                f"The run cannot be repeated beyond t = {found.t[-1]:.6g} s. Run it again with tighter tolerances."
-            )
-        return States(found.t, found.x, found.v, found.a, np.ascontiguousarray(found.N[:, self.base.problem.eq.row]))
-
-    @cached_property
-    def _steps(self) -> tuple[Floats, Floats]:
-        """Instants from the start to the end, and the steps of the method there."""
-        t, h = np.array(self._noted).T
-        good = (h > 0) & (np.diff(t, prepend=0.0) > 0)
-        t, h = t[good], np.maximum(h[good], LEAST * np.median(h[good]))  # short steps after a break say little
-        return np.concatenate([[0.0], t, [max(float(t[-1]), self.t_end)]]), np.concatenate([h[:1], h, h[-1:]])
-
-    def _swept(self, by: Varied, read: _Reading) -> tuple[Floats, Floats, float]:
+    def _swept(self, by: Varied, read: Reading) -> tuple[Floats, Floats, float]:
         """Derivatives (k, numbers) by what numbers do along the run; the adjoint (k, 2 free) at the start; its error."""
         vary, base, k = self.varying, self.base, read.weight.shape[0]
         f, last, stiff = len(vary.free), float(read.states.t[-1]), isinstance(self.problem.method, Radau)
@@ -480,13 +464,13 @@ class RunPoint:
         breaks = [t for t in jumps(base.problem.eq, all_pieces=True) if 0.0 < t < last]
         bends = self.work.happened()["events"][:, 1]
         inner = np.concatenate([read.states.t, breaks, bends[(bends > 0.0) & (bends < last)]])
-        edges = edges_between(np.unique(np.concatenate([[0.0], inner])), *self._steps, read.share)
+        edges = edges_between(np.unique(np.concatenate([[0.0], inner])), *steps_of(self._noted, self.t_end), read.share)
         size = STAGES * (f + len(vary.site)) ** 2 * 40 + (STAGES * f) ** 2 * 32 * stiff
         eq = base.problem.eq
         least = REST * np.concatenate([vary.length / self.t_end, vary.length / self.t_end**2])
         timed = bool(len(eq.motion_kind) or len(eq.force_time) > len(eq.force_kind) or len(eq.load_time))
         drift, error, scale = np.zeros(k), np.zeros(k), np.full(k, 1e-300)
-        for own, every in self._backwards(edges, max(1, int(ROOM / size)), gauss(STAGES).c):
+        for own, every in self._again.backwards(edges, max(1, int(ROOM / size)), gauss(STAGES).c):
             h = np.diff(own)
             ends = np.arange(len(own)) * (STAGES + 1)
             at = every.part(np.setdiff1d(np.arange(len(every.t)), ends))
@@ -513,46 +497,3 @@ class RunPoint:
 
     def _sums(self, by: Varied, change: Floats, at: States, z: Floats) -> Floats:
         return np.asarray(np.einsum("skr,sr->kr", z, self.at(by, change).solved(at)[1]).reshape(-1))
-
-    def _backwards(self, edges: Floats, each: int, c: Floats) -> Iterator[tuple[Floats, States]]:
-        """From the end to the start, ends of at most so many cells, and the states at these and at the places c between.
-
-        The run is repeated once; if its states take too much room, from places that are stored on the way.
-        """
-        blocks = [slice(i, min(i + each, len(edges) - 1) + 1) for i in range(0, len(edges) - 1, each)]
-        together = max(1, int(STORED / ((len(c) + 1) * (self.trace.x.shape[1] * 4 + 8) * 8 * each)))
-        parts = [blocks[i : i + together] for i in range(0, len(blocks), together)]
-        work, stored = self._stepper(), []
-        for part in parts[:-1]:
-            stored.append(work.arrays())
-            work.advance(edges[part[-1].stop - 1 : part[-1].stop])
-        for part in reversed(parts):
-            if len(parts) > 1 and part is not parts[-1]:
-                work = self._stepper()
-                work.restore(stored.pop())
-            own = edges[part[0].start : part[-1].stop]
-            inside = own[:-1, None] + np.diff(own)[:, None] * np.concatenate([[0.0], c])
-            every, per = self._states(work, np.append(inside.reshape(-1), own[-1])), len(c) + 1
-            for block in reversed(part):
-                first, last = block.start - part[0].start, block.stop - 1 - part[0].start
-                yield edges[block], every.part(slice(first * per, last * per + 1))
-
-
-@dataclass(eq=False)
-class _Reading:
-    """What responses read at marks (m,): names of variables; kept, part : where their values are; weight (k, m, values), site
-    (values,); sx, sv (m, k, free) and z (m, k, residuals) from them; share : longest cell in steps; error : of the adjoint.
-    """
-
-    names: list[str]
-    kept: dict[str, tuple[NDArray[np.int64], ...]]
-    part: dict[str, str]
-    others: bool
-    states: States
-    weight: Any = None
-    site: Any = None
-    sx: Any = None
-    sv: Any = None
-    z: Any = None
-    share: float = 1.0
-    error: float = field(default=np.inf)
