@@ -13,15 +13,15 @@ from kinetruss.design.limit_rows import Block, LimitRows
 from kinetruss.design.optimum.problem import Problem, Variable
 from kinetruss.design.own_limits import NAMES, beside, slopes
 from kinetruss.design.vibration_point import VibrationPoint
-from kinetruss.errors import Fault, InputError, ModelError, few
+from kinetruss.errors import Fault, InputError, ModelError
 from kinetruss.gradients import Entries, read_entries
 from kinetruss.gradients.analyses import POINTS, point_of
 from kinetruss.gradients.points import gradients_at
 from kinetruss.gradients.varied import varied
 from kinetruss.io import set_values
-from kinetruss.io.values import resolved
+from kinetruss.io.values import fitting, number_at, resolved
 from kinetruss.mechanics import compile
-from kinetruss.model import Model, OptimumLimit, OptimumTask, OptimumVariable, matched, nearest
+from kinetruss.model import Model, OptimumLimit, OptimumTask, OptimumVariable, nearest
 from kinetruss.model.optimum import unit_given
 from kinetruss.units import dimension_of
 
@@ -276,7 +276,7 @@ def _variables(model: Model, task: OptimumTask) -> tuple[list[list[str]], list[V
     owner: dict[tuple[str | int, ...], str] = {}
     for name, one in task.variables.items():
         try:
-            own = [path for pattern in one.of for path in _fitting(model, pattern)]
+            own = [path for pattern in one.of for path in fitting(model, pattern)]
             for path in own:
                 keys = resolved(model, path)
                 if owner.setdefault(keys, name) != name:
@@ -299,28 +299,7 @@ def _variable(model: Model, name: str, one: OptimumVariable, own: list[str]) -> 
     low, high = one.between if one.between is not None else (min(one.choose or ()), max(one.choose or ()))
     for bound in (low, high):
         set_values(model, dict.fromkeys(own, float(bound)))
-    values = [_number(model, path) for path in own]
+    values = [number_at(model, path, resolved(model, path)) for path in own]
     start = float(one.start) if one.start is not None else float(np.mean(values))
     return Variable(name=name, lower=float(low), upper=float(high), start=float(np.clip(start, low, high)), scale=one.scale,
                     unit=unit_given(low) or "")  # fmt: skip
-
-
-def _number(model: Model, path: str) -> float:
-    here: Any = model
-    for key in resolved(model, path):
-        here = getattr(here, str(key)) if hasattr(type(here), "model_fields") else here[key]
-    if isinstance(here, bool) or not isinstance(here, int | float):
-        raise InputError(f"{path} is {'not set' if here is None else 'no number'}. Name one number that the model has.")
-    return float(here)
-
-
-def _fitting(model: Model, pattern: str) -> list[str]:
-    """The paths that a pattern names: its second word may have stars."""
-    table, _, rest = pattern.partition(".")
-    if "*" not in pattern:
-        return [pattern]
-    name, _, end = rest.partition(".")
-    names = list(getattr(model, table, None) or ())
-    if not (known := matched(names, name)):
-        raise InputError(f"no entry of {table} fits {name!r}. It has: {few(names, 6) or 'nothing'}.")
-    return [f"{table}.{one}.{end}" for one in known]

@@ -16,15 +16,14 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from kinetruss.errors import InputError, few
+from kinetruss.errors import InputError
 from kinetruss.gradients.differences import FOUR
 from kinetruss.gradients.nearness import Near, near_nodes, parts_of
-from kinetruss.io.values import changed, resolved, within
+from kinetruss.io.values import changed, fitting, number_at, resolved
 from kinetruss.mechanics import System, compile
 from kinetruss.mechanics.numbers import numbers_of, system_at
 from kinetruss.mechanics.system import ByIdentity
 from kinetruss.model import Model
-from kinetruss.model.references import matched
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray
@@ -135,37 +134,13 @@ def _varied(key: ByIdentity, wrt: tuple[str | tuple[str, ...], ...]) -> Varied:
 def _groups(model: Model, one: str | Sequence[str]) -> list[list[str]]:
     """The groups that an entry of `wrt` names: one of all its paths, or one for each that fits a pattern."""
     if not isinstance(one, str):
-        return [[path for pattern in one for path in _fitting(model, pattern)]]
-    return [[path] for path in _fitting(model, one)]
-
-
-def _fitting(model: Model, pattern: str) -> list[str]:
-    """The paths that fit; stars, and [..] choices, stand for the names of a table."""
-    if not isinstance(pattern, str):
-        raise InputError(f"{pattern!r} is no path. Write for example 'bars.M1.section.area'.")
-    if not any(sign in pattern for sign in "*?["):
-        return [pattern]
-    table, _, rest = pattern.partition(".")
-    names = list(getattr(model, table, ()) or ())
-    for count in range(rest.count(".") + 1, 0, -1):  # names may have dots
-        parts = rest.split(".")
-        if found := matched(names, ".".join(parts[:count])):
-            tail = ".".join(parts[count:])
-            return [f"{table}.{name}.{tail}" if tail else f"{table}.{name}" for name in found]
-    raise InputError(f"No part of the model fits {pattern!r}. {table} has: {few(names, 8) or 'nothing'}.")
+        return [[path for pattern in one for path in fitting(model, pattern)]]
+    return [[path] for path in fitting(model, one)]
 
 
 def _value(model: Model, group: Sequence[str], keys: Sequence[Keys]) -> float:
     """The value that all paths of a group have."""
-    found = []
-    for path, own in zip(group, keys, strict=True):
-        here: Any = model
-        for key in own:
-            here = within(model, here, str(key)) if hasattr(type(here), "model_fields") else here[key]
-        if isinstance(here, bool) or not isinstance(here, int | float):
-            said = "is not set" if here is None else "is no number"
-            raise InputError(f"{path} {said}, so nothing can be differentiated by it. Name one number that the model has.")
-        found.append(float(here))
+    found = [number_at(model, path, own) for path, own in zip(group, keys, strict=True)]
     if any(abs(one - found[0]) > 1e-12 * abs(found[0]) for one in found):
         raise InputError(f"{group[0]} and {group[-1]} are to be one number, but have different values. Name them apart.")
     return found[0]

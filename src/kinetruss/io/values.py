@@ -6,11 +6,11 @@ from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from typing import Any
 
-from kinetruss.errors import Fault, ModelError
+from kinetruss.errors import Fault, InputError, ModelError, few
 from kinetruss.io.library_models import fields
 from kinetruss.io.yaml_text import parse_yaml, plain
 from kinetruss.model import Model, Record, nearest
-from kinetruss.model.references import names_in
+from kinetruss.model.references import matched, names_in
 
 Keys = tuple[str | int, ...]
 
@@ -146,6 +146,49 @@ def _next(here: Any, rest: list[str], before: Sequence[str | int]) -> tuple[str 
     places = [] if before else list(_places(here, ".".join(rest)))
     mend = f"Did you mean {', '.join(places[:3])}?" if places else nearest(rest[0], known)
     raise ModelError([Fault((*before, rest[0]), f"{rest[0]!r} is not known here.", mend)])
+
+
+def fitting(model: Model, pattern: str) -> list[str]:
+    """The paths that fit a pattern: its second word may have stars and [..] choices, which stand for the names of a table.
+
+    Raises
+    ------
+    InputError : none fits.
+
+    >>> import kinetruss as kt
+    >>> fitting(kt.library.mechanisms.four_bar(), "bars.c*.length")
+    ['bars.crank.length', 'bars.coupler.length']
+    """
+    if not isinstance(pattern, str):
+        raise InputError(f"{pattern!r} is no path. Write for example 'bars.M1.section.area'.")
+    if not any(sign in pattern for sign in "*?["):
+        return [pattern]
+    table, _, rest = pattern.partition(".")
+    names, parts = list(getattr(model, table, ()) or ()), rest.split(".")
+    for count in range(len(parts), 0, -1):  # names may have dots
+        if found := matched(names, ".".join(parts[:count])):
+            return [".".join([table, name, *parts[count:]]) for name in found]
+    raise InputError(f"No part of the model fits {pattern!r}. {table} has: {few(names, 8) or 'nothing'}.")
+
+
+def number_at(model: Model, path: str, keys: Keys) -> float:
+    """The number at a path, whose keys are `resolved`.
+
+    Raises
+    ------
+    InputError : there is none.
+
+    >>> import kinetruss as kt
+    >>> number_at(kt.library.mechanisms.four_bar(), "nodes.B.at.1", ("nodes", "B", "at", 1))
+    0.1
+    """
+    here: Any = model
+    for key in keys:
+        here = within(model, here, str(key)) if hasattr(type(here), "model_fields") else here[key]
+    if isinstance(here, bool) or not isinstance(here, int | float):
+        said = "is not set" if here is None else "is no number"
+        raise InputError(f"{path} {said}, so it cannot vary. Name one number that the model has.")
+    return float(here)
 
 
 def _places(here: Any, end: str, path: str = "") -> Iterator[str]:
