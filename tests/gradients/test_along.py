@@ -61,6 +61,34 @@ def test_accelerations_go_with_the_square_of_the_duration():
     assert by.values == pytest.approx([-2 * value / 2.0, value], rel=1e-9)
 
 
+def test_a_bell_crank_by_its_arms():
+    # a cylinder straight below A holds 100 N at B: F = W x_B/x_A
+    model = kt.Model(
+        nodes={"O": (0, 0), "G": (0.3, -0.4), "A": (0.3, 0), "B": (0.5, 0.2)}, fixed=["O", "G"],
+        links={"bell": kt.Link(nodes=("O", "A", "B"), section=kt.Rod(diameter=0.02), mass=0.0)},
+        bars={"cylinder": kt.Bar(ends=("G", "A"), kind="driven", section=kt.Rod(diameter=0.02), mass=0.0)},
+        material="steel_s235", loads={"pull": kt.NodalForce(node="B", force=(0, -100.0))},
+        runs={"lift": kt.Run(trajectory=kt.ConstantRate(rates={"cylinder": 1e-3}, duration=1.0), samples=3)},
+    )  # fmt: skip
+    wrt = ["nodes.B.at.0", "nodes.A.at.0", "loads.pull.force.1"]
+    value, by = kt.value_and_gradient(kt.Response("first(drive_force[cylinder])", kt.run, model), wrt)
+    assert value == pytest.approx(100 * 0.5 / 0.3, rel=1e-12)
+    assert by.values == pytest.approx([100 / 0.3, -100 * 0.5 / 0.09, -0.5 / 0.3], rel=1e-9)
+
+
+@pytest.mark.parametrize(
+    ("name", "run", "response", "wrt"),
+    [
+        ("loader_crane", "load", "max(utilisation)", ["nodes.M.at.0", "nodes.J.at.1"]),
+        ("loader_crane", "load", "max(abs(mode_force))", ["nodes.M.at.0", "nodes.J.at.1"]),
+        ("scissor_lift", "lift", "max(abs(drive_force[edge]))", ["nodes.M.at.0", "nodes.G.at.0"]),
+    ],
+)
+def test_links_that_keep_their_shape(name, run, response, wrt):
+    model = kt.read(kt.library.example_files()[name][0])
+    assert kt.check_gradient(kt.Response(response, kt.run, model, run=run), wrt).error < 1e-8
+
+
 # A four-bar with all its lengths given, beside its own equations in complex numbers.
 
 LENGTHS = {"crank": 0.1, "coupler": 0.3, "rocker": 0.25}

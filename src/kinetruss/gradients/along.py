@@ -18,10 +18,10 @@ from kinetruss.dynamics.bearing_friction import seats_of
 from kinetruss.errors import AnalysisError, InputError
 from kinetruss.gradients.at_instants import Instants
 from kinetruss.gradients.downstream import DEMAND, Along, Asked
+from kinetruss.gradients.motion_rows import holding
 from kinetruss.gradients.varied import Varied
 from kinetruss.kinematics.motions import instants
 from kinetruss.mechanics import System, arrange
-from kinetruss.mechanics.beam_shapes import shaped
 from kinetruss.mechanics.rigid_motions import floats
 from kinetruss.runs.plans import plan
 
@@ -113,12 +113,10 @@ class AlongPoint:
 
     def _refuse(self, seeds: Sequence[Seeds]) -> None:
         system, names = self.system, {name for one in seeds for name in one}
-        plan = arrange(system).plan
+        plan = arrange(holding(system)).plan
         why = ""
         if floats(system) is not None:
             why = "nothing holds the structure, so where it is depends on all that was before"
-        elif shaped(system) is not system:
-            why = "it has beams or links that keep their shape"
         elif plan is None:
             why = "drives and bars leave some of its coordinates free"
         elif self.asked.forces and names - set(self.motion.arrays) and seats_of(system):

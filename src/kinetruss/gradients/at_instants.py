@@ -21,7 +21,7 @@ from kinetruss.dynamics.prescribed import flat, solve
 from kinetruss.errors import AnalysisError, ModelError, few
 from kinetruss.gradients.differences import Weighed, differences
 from kinetruss.gradients.downstream import at_states
-from kinetruss.gradients.motion_rows import Factors, Prescribed, carried, row_residuals, softness
+from kinetruss.gradients.motion_rows import Factors, Prescribed, carried, holding, row_residuals, softness
 from kinetruss.gradients.nearness import Near, parts_of, site_of_rows, sites
 from kinetruss.gradients.stacked import Unknowns, Weights, by_states
 from kinetruss.gradients.varied import STEP, Varied
@@ -69,6 +69,7 @@ class Instants:
 
     def __init__(self, of: Any, by: Varied, c: int, seeds: Sequence[Seeds]) -> None:
         self.of, self.by, self.system, self.model = of, by, of.system, of.model
+        self.rows = holding(of.system)
         self.case, self.along, self.forces = of.cases[c], of.by_case[c], of.asked.forces
         self.names = [name for name in dict.fromkeys(n for one in seeds for n in one) if name != "mass"]
         self.mass = np.array([float(one["mass"]) if "mass" in one else 0.0 for one in seeds])
@@ -112,16 +113,16 @@ class Instants:
         """The states of the motion and their forces."""
         system, given = self.system, self._prescribed(self.model, self.system)
         states = States(*(flat(system, self.of.motion, name)[self.at] for name in ("position", "velocity", "acceleration")))
-        force = np.zeros((len(self.at), len(system.row_member)))
+        force = np.zeros((len(self.at), len(self.rows.row_member)))
         if self.forces:
             loads = case_loads(system, given.t, self.case, rotating=True).at(states.x)
-            force = solve(system, given.drive[0], loads, states)["N"]
+            force = solve(self.rows, given.drive[0], loads, states)["N"]
         return Solved(given, States(*(y[:, system.free] for y in states)), force)
 
     @cached_property
     def factors(self) -> list[Factors]:
         """Of the rows at each instant."""
-        system, base = self.system, self.base
+        system, base = self.rows, self.base
         places = self._placed(system, base).x.reshape(len(self.at), -1, 3)
         found = []
         for x, values in zip(places, base.given.drive[0], strict=True):
@@ -133,14 +134,14 @@ class Instants:
     @property
     def redundant(self) -> bool:
         """Whether there are more rows than coordinates."""
-        return len(self.system.row_member) > len(self.system.free)
+        return len(self.rows.row_member) > len(self.rows.free)
 
     def _shares(self, system: System) -> Floats:
         """Weights (rows,) of the sum of w N^2: l/(E A) over a constant where `Arrangement` has it, else 1."""
-        stiff = arrange(self.system).stiff
+        stiff = arrange(self.rows).stiff
         if not stiff.any():
             return np.ones(len(stiff))
-        return np.where(stiff, softness(system) / np.mean(softness(self.system)[stiff]), 1.0)
+        return np.where(stiff, softness(system) / np.mean(softness(self.rows)[stiff]), 1.0)
 
     @cached_property
     def moved(self) -> Floats:
@@ -164,7 +165,7 @@ class Instants:
 
     @cached_property
     def _moving(self) -> NDArray[np.int64]:
-        plan: Any = arrange(self.system).plan
+        plan: Any = arrange(self.rows).plan
         return np.asarray(plan.moving)
 
     def _placed(self, system: System, solved: Solved) -> States:
@@ -192,7 +193,7 @@ class Instants:
 
     def _equations(self, system: System, solved: Solved, rest: Floats | None = None) -> Floats:
         """The equations of positions, velocities, accelerations and forces (s, 3 rows + free), and of w N = J m."""
-        states = self._placed(system, solved)
+        system, states = holding(system), self._placed(system, solved)
         found = [*row_residuals(system, solved.given, states)]
         if self.forces:
             if rest is None:
@@ -211,7 +212,7 @@ class Instants:
         wanted = np.concatenate([self.along[name].values[self.at].reshape(len(self.at), -1) for name in self.names], axis=1)
         used = np.abs(self.weight).max(axis=0) > 0
         off, scale = np.abs(read - wanted)[used].max(initial=0.0), np.abs(wanted[used]).max(initial=0.0)
-        rows, free, rest = len(self.system.row_member), len(self.system.free), np.abs(equations()).max(axis=0)
+        rows, free, rest = len(self.rows.row_member), len(self.rows.free), np.abs(equations()).max(axis=0)
         sizes = self._sizes()
         limit = np.repeat([*sizes, sizes[N]], [rows, rows, rows, *((free, rows) if self.forces else (0, 0))])[: len(rest)]
         if not off <= AGREE * scale or not (rest <= AGREE * limit).all():
@@ -224,7 +225,7 @@ class Instants:
 
     def _multipliers(self) -> Floats:
         """z (k, s, equations)."""
-        rows, free = len(self.system.row_member), len(self.system.free)
+        rows, free = len(self.rows.row_member), len(self.rows.free)
         last = (free + rows * self.redundant) * self.forces
         z = np.zeros((len(self.weight), len(self.at), 3 * rows + last))
         if self.forces:
@@ -245,7 +246,7 @@ class Instants:
 
     def _unknowns(self, k: int) -> Unknowns:
         value = self.base.force if k == N else self.base.states[k]
-        at = site_of_rows(self.system) if k == N else np.repeat(sites(self.system)["node"], 3)[self.system.free]
+        at = site_of_rows(self.rows) if k == N else np.repeat(sites(self.system)["node"], 3)[self.system.free]
         step = np.full(value.shape[1], STEP * self._sizes()[k])
         return Unknowns(value, [self._around.get(i) for i in at.tolist()], step, len(self._around))
 
@@ -265,7 +266,7 @@ class Instants:
     def _equations_by(self, k: int, z: Floats) -> Floats:
         """Derivatives of the weighed equations by states k, without those whose multipliers are to be found."""
         weight = z.copy()
-        weight[:, :, : (k + 1) * len(self.system.row_member)] = 0.0
+        weight[:, :, : (k + 1) * len(self.rows.row_member)] = 0.0
 
         def of(values: Floats) -> Floats:
             return self._equations(self.system, self.base.changed(k, values)).reshape(*values.shape[:2], -1)
@@ -275,7 +276,7 @@ class Instants:
     @cached_property
     def _rows(self) -> NDArray[np.int64]:
         """The node at which each equation is."""
-        row, own = site_of_rows(self.system), np.repeat(sites(self.system)["node"], 3)[self.system.free]
+        row, own = site_of_rows(self.rows), np.repeat(sites(self.system)["node"], 3)[self.system.free]
         found = [row, row, row, *([own] * self.forces), *([row] * (self.forces and self.redundant))]
         return np.concatenate(found).astype(np.int64)
 

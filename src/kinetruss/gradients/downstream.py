@@ -14,10 +14,11 @@ import numpy as np
 
 from kinetruss.actuators.demands import AMPLIFIED, HISTORIES, ROTARY, columns_of
 from kinetruss.dynamics.force_tables import force_arrays
-from kinetruss.gradients.motion_rows import Prescribed, carried
+from kinetruss.gradients.motion_rows import Prescribed, carried, holding
 from kinetruss.kernels.structure.structure import LENGTH, States
 from kinetruss.kinematics.motions import Course, motion_arrays
 from kinetruss.mechanics import compile
+from kinetruss.mechanics.beam_shapes import yielding_shapes
 from kinetruss.mechanics.matrices import mass_by_nodes
 from kinetruss.results import Forces, Motion, variable
 from kinetruss.results.user_parts import HELD, MARKS
@@ -184,7 +185,10 @@ def at_states(model: Model, asked: Asked, given: Prescribed, states: States, N: 
         arrays.columns[name].values[:, system.row_member[rows]] = own[:, system.row_drive[rows]]
     motion, forces, rest = Motion(data=arrays.later), None, np.zeros((len(given.t), system.x0.size))
     if asked.forces:
-        loads, solved = carried(system, given.t, case, states, N)
+        loads, solved = carried(holding(system), given.t, case, states, N)
+        if (held := yielding_shapes(system)) is not None:  # as `dynamics.inverse` tells it
+            solved["joint"][:, held.chords] = 0.0
+            solved |= {"N": N[:, : held.rows[0, 0]], "mode_force": held.mode_forces(N)}
         data = force_arrays(system, motion, loads, solved, at_rest=False)
         data.attrs.update({"at_rest": 0})
         forces, rest = Forces(data=data.later, motion=motion, load_case=loads.name), solved["rest"]

@@ -18,6 +18,7 @@ from kinetruss.dynamics.simulation_records import solved_by
 from kinetruss.errors import AnalysisError
 from kinetruss.kernels.structure.structure import ANGLE, LENGTH, States
 from kinetruss.mechanics import System, measured
+from kinetruss.mechanics.beam_shapes import yielding_shapes
 from kinetruss.mechanics.loads import case_loads
 from kinetruss.mechanics.row_gradients import dot, row_ends
 
@@ -26,6 +27,12 @@ if TYPE_CHECKING:
 
     Floats = NDArray[np.float64]
     Histories = tuple[Floats, Floats, Floats]
+
+
+def holding(system: System) -> System:
+    """The system whose rows hold at an instant: with those that keep loose beams in their shape."""
+    held = yielding_shapes(system)
+    return system if held is None else held.system
 
 
 class Prescribed(NamedTuple):

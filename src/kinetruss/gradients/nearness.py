@@ -140,6 +140,9 @@ def site_of_rows(system: System) -> NDArray[np.int64]:
     on = system.row_measure >= 0
     rows = rows.copy()
     rows[on] = at["measure"][system.row_measure[on]]
+    # sums that keep a beam in its shape are along its chord; those of coordinates have no member (0)
+    shape = on & (rows < 0) & (system.row_member > 0)
+    rows[shape] = at["member"][system.row_member[shape]]
     return np.asarray(rows)
 
 

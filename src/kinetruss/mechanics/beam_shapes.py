@@ -42,6 +42,8 @@ BENDS = 1e-6
 """Change of a mode, over that of the nodes by the length, from which on a freedom of a structure deforms a beam."""
 STRAIGHT = 1e-8
 """Largest mode of a beam that counts as undeformed."""
+NEXT_TO_NOTHING = 2.0**-60
+"""Share of its rigidity that a beam has where its rows alone hold it; ratios of rigidities stay as they are."""
 LITTLE = 1e-15
 """Coefficient of an edge in an axis of a beam, over the largest, up to which it is round-off."""
 
@@ -169,6 +171,21 @@ def shaped(system: System) -> System:
     """The system that positions of motions of drives satisfy: with its loose beams held in their shape."""
     held = fixed_shapes(system)
     return system if held is None else held.system
+
+
+@cached()
+def yielding_shapes(system: System) -> FixedShapes | None:
+    """As `fixed_shapes`, with held beams that resist next to nothing themselves: what holds, at places that differ a little from
+    those that the rows allow, by the rows alone.
+    """
+    held = fixed_shapes(system)
+    if held is None:
+        return None
+    continua = cast("Continua", held.system.continua)
+    rigidity = held.elements.rigidity.copy()
+    rigidity[held.beams] *= NEXT_TO_NOTHING
+    beams = replace(held.elements, rigidity=rigidity)
+    return replace(held, system=replace(held.system, continua=replace(continua, beams=beams)), elements=beams)
 
 
 def _deformable(system: System, found: BeamElements) -> NDArray[np.int64]:
