@@ -89,6 +89,54 @@ def test_links_that_keep_their_shape(name, run, response, wrt):
     assert kt.check_gradient(kt.Response(response, kt.run, model, run=run), wrt).error < 1e-8
 
 
+def test_a_task_that_leads_two_cylinders():
+    # at the end P is where the task asks: lengths |P - A| and |P - B|, and forces that hold the weight of 3 kg
+    rods = {name: kt.Bar(ends=(name.upper(), "P"), kind="driven", section=kt.Rod(diameter=0.02), mass=0.0) for name in "ab"}
+    model = kt.Model(
+        nodes={"A": (-1, 0), "B": (1, 0), "P": kt.Node(at=(0.2, -1.5), mass=3.0)}, fixed=["A", "B"], bars=rods,
+        material="steel_s235", gravity=(0, -9.81),
+        runs={"go": kt.Run(targets=kt.Positioning(node="P", moves={"x": 0.5, "y": -1.0}, duration=1.0), samples=11)},
+    )  # fmt: skip
+    wrt = ["runs.go.targets.moves.x", "nodes.A.at.0", "nodes.A.at.1", "nodes.P.at.0", "nodes.P.mass"]
+
+    def at_end(x, ax, ay):
+        """Length of a, and its drive force, by complex numbers."""
+        d, e = np.array([x - ax, -1.0 - ay]), np.array([x - 1.0, -1.0])
+        q, p = (d @ d) ** 0.5, (e @ e) ** 0.5
+        # tensions N balance the weight: -N_a d/q - N_b e/p = (0, 3 g)
+        N = np.linalg.solve(-np.array([d / q, e / p]).T, [0.0, 3.0 * 9.81])
+        return np.array([q, -N[0]])
+
+    step = 1e-30j
+    expected = [at_end(*np.array([0.5, -1.0, 0.0]) + step * one).imag / 1e-30 for one in np.eye(3)]
+    final = [kt.Response(f"final({name}[a])", kt.run, model) for name in ("drive_position", "drive_force")]
+    values, by = kt.value_and_gradient(final, wrt)
+    length, force = at_end(0.5, -1.0, 0.0)
+    assert values == pytest.approx([length, force], rel=1e-9)
+    assert by.values[0] == pytest.approx([*(one[0] for one in expected), 0.0, 0.0], rel=1e-9, abs=1e-11)
+    assert by.values[1] == pytest.approx([*(one[1] for one in expected), 0.0, force / 3.0], rel=1e-8, abs=1e-9)
+
+
+def test_tasks_that_lead_a_delta_robot_and_a_platform():
+    wrt = ["nodes.B1a.at.0", "nodes.A2a.at.2", "gravity.2"]
+    delta = kt.read(kt.library.example_files()["delta"][0])
+    pick = kt.Positioning(node="Q", moves={"x": 0.15, "y": 0.1, "z": -0.7}, duration=0.4)
+    delta = delta.with_(runs={"pick": kt.Run(targets=pick, samples=21)})
+    for response in ("max(abs(drive_force))", "rms(drive_force[arm1])"):
+        assert kt.check_gradient(kt.Response(response, kt.run, delta), wrt).error < 1e-9
+    stewart = kt.read(kt.library.example_files()["stewart"][0])
+    turn = kt.Docking(platform=["P1", "P2", "P3"], moves={"z": 0.1, "roll": 0.1, "x": 0.02, "yaw": 0.1}, duration=1.0)
+    stewart = stewart.with_(runs={"up": kt.Run(targets=turn, samples=11)})
+    response = kt.Response("max(member_force)", kt.run, stewart)
+    assert kt.check_gradient(response, ["nodes.B1.at.0", "nodes.P2.at.2"]).error < 1e-9
+
+
+def test_which_drives_do_a_task_is_a_choice():
+    model = kt.read(kt.library.example_files()["docking"][0])
+    with pytest.raises(AnalysisError, match="18 drives do a task of 6 coordinates"):
+        kt.gradient(kt.Response("max(abs(drive_velocity))", kt.run, model, run="dock"), ["nodes.B1.N1.at.0"])
+
+
 # A four-bar with all its lengths given, beside its own equations in complex numbers.
 
 LENGTHS = {"crank": 0.1, "coupler": 0.3, "rocker": 0.25}

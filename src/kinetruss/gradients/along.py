@@ -19,11 +19,13 @@ from kinetruss.errors import AnalysisError, InputError
 from kinetruss.gradients.at_instants import Instants
 from kinetruss.gradients.downstream import DEMAND, Along, Asked
 from kinetruss.gradients.motion_rows import holding
+from kinetruss.gradients.task_rows import task_rows
 from kinetruss.gradients.varied import Varied
 from kinetruss.kinematics.motions import instants
 from kinetruss.mechanics import System, arrange
 from kinetruss.mechanics.rigid_motions import floats
-from kinetruss.runs.plans import plan
+from kinetruss.model.load_cases import acting_cases
+from kinetruss.runs.plans import chosen_run
 
 if TYPE_CHECKING:
     import xarray as xr
@@ -37,19 +39,19 @@ if TYPE_CHECKING:
 
 @dataclass(frozen=True, eq=False)
 class Way:
-    """How a model moves: along a trajectory at so many samples or at times, or as in a run."""
+    """How a model moves: along a trajectory at so many samples or at times, or as in a run, by a trajectory or for a task."""
 
     run: str | None = None
     trajectory: Any = None
     samples: int = 201
     times: ArrayLike | None = None
-    is_run: bool = False
 
     def of(self, model: Model) -> tuple[Any, Floats]:
-        """The trajectory and the instants (times,), s."""
-        if self.is_run:
-            found = plan(model, self.run)
-            return found.run.trajectory, found.times
+        """The trajectory or task, and the instants (times,), s."""
+        if self.run is not None:
+            run = model.runs[self.run]
+            given = run.targets or model.trajectory_of(run)
+            return given, np.linspace(0.0, given.duration, run.samples)
         trajectory = model.trajectories.get(self.trajectory) if isinstance(self.trajectory, str) else self.trajectory
         if trajectory is None:
             return kinematics.follow(model, self.trajectory), np.zeros(0)  # it tells what is wrong
@@ -62,7 +64,10 @@ class AlongPoint:
     def __init__(self, system: System, way: Way, cases: tuple[str | None, ...], asked: Asked) -> None:
         self.system, self.model, self.way, self.cases, self.asked = system, system.given, way, cases, asked
         self.trajectory, self.times = way.of(self.model)
-        self.motion = kinematics.follow(self.model, self.trajectory, times=self.times)
+        self.led = way.run is not None and self.model.runs[way.run].targets is not None
+        """Whether tasks lead the drives."""
+        found = kinematics.inverse if self.led else kinematics.follow
+        self.motion = found(self.model, self.trajectory, times=self.times)
         case_forces = [
             dynamics.inverse(self.model, self.motion, case, static=False) if asked.forces else None for case in cases
         ]
@@ -117,6 +122,10 @@ class AlongPoint:
         why = ""
         if floats(system) is not None:
             why = "nothing holds the structure, so where it is depends on all that was before"
+        elif self.led and len(system.coordinate_drive):
+            why = "it is that of a task, for which drives move coordinates of nodes"
+        elif self.led and (count := task_rows(system, self.trajectory, self.times[:1]).tasks) != len(system.drives):
+            why = f"{len(system.drives)} drives do a task of {count} coordinates, and which of them moves how is a choice"
         elif plan is None:
             why = "drives and bars leave some of its coordinates free"
         elif self.asked.forces and names - set(self.motion.arrays) and seats_of(system):
@@ -175,12 +184,15 @@ def inverted(
 
 
 def ran(system: System, run: str | None = None) -> AlongPoint:
-    """A run of a model along a trajectory, with all that it tells."""
-    job = plan(system.given, run)
-    kinds = {"kinematics.follow": Asked(), "dynamics.inverse": Asked(forces=True, judged=True, stations=job.run.stations)}
-    if job.run.analysis not in kinds or job.run.trajectory is None or job.condition is not None:
+    """A run of a model along a trajectory or for a task, with all that it tells."""
+    model = system.given
+    name = chosen_run(model, run)
+    own = model.runs[name]
+    kinds = {"kinematics.follow": Asked(), "dynamics.inverse": Asked(forces=True, judged=True, stations=own.stations)}
+    moves = own.targets is not None or model.trajectory_of(own) is not None
+    if own.analysis not in kinds or not moves or own.condition is not None:
         raise InputError(
-            f"Results of run {job.name!r} have no responses yet: those of runs along a trajectory do "
+            f"Results of run {name!r} have no responses yet: those of runs along a trajectory or for a task do "
             f"({', '.join(kinds)}), without a condition."
         )
-    return AlongPoint(system, Way(run=job.name, is_run=True), job.cases, kinds[job.run.analysis])
+    return AlongPoint(system, Way(run=name), acting_cases(model, own.load_cases), kinds[own.analysis])

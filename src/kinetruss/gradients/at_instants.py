@@ -21,13 +21,15 @@ from kinetruss.dynamics.prescribed import flat, solve
 from kinetruss.errors import AnalysisError, ModelError, few
 from kinetruss.gradients.differences import Weighed, differences
 from kinetruss.gradients.downstream import at_states
-from kinetruss.gradients.motion_rows import Factors, Prescribed, carried, holding, row_residuals, softness
+from kinetruss.gradients.motion_rows import Factors, Prescribed, carried, holding, row_residuals, softness, state_rows
 from kinetruss.gradients.nearness import Near, parts_of, site_of_rows, sites
 from kinetruss.gradients.stacked import Unknowns, Weights, by_states
+from kinetruss.gradients.task_rows import task_rows
 from kinetruss.gradients.varied import STEP, Varied
 from kinetruss.kernels.structure.structure import States
 from kinetruss.kinematics.motions import path_of
 from kinetruss.kinematics.sampling import sample_from
+from kinetruss.kinematics.time_tables import with_supports
 from kinetruss.mechanics import System, arrange, compile, constraint_jacobian, rearrange
 from kinetruss.mechanics.loads import case_loads
 from kinetruss.mechanics.matrices import mass_by_nodes
@@ -122,13 +124,14 @@ class Instants:
     @cached_property
     def factors(self) -> list[Factors]:
         """Of the rows at each instant."""
-        system, base = self.rows, self.base
+        system, base, tasks = self.rows, self.base, self.base.given.tasks
         places = self._placed(system, base).x.reshape(len(self.at), -1, 3)
-        found = []
+        found: list[Factors] = []
         for x, values in zip(places, base.given.drive[0], strict=True):
             J = constraint_jacobian(system, x)[:, system.free]
             arranged = rearrange(system, x, values) if self.redundant else arrange(system)
-            found.append(Factors(J, arranged.redundant, self._shares(system)))
+            led = None if tasks is None else (self.held, tasks.gradients(len(found), x.reshape(-1), system.free))
+            found.append(Factors(J, arranged.redundant, self._shares(system), led))
         return found
 
     @property
@@ -148,10 +151,28 @@ class Instants:
         """m (s, free) of w N = J m."""
         return np.stack([one.shift(force) for one, force in zip(self.factors, self.base.force, strict=True)])
 
+    @cached_property
+    def held(self) -> NDArray[np.int64]:
+        """The rows that states satisfy, as indices of all."""
+        return state_rows(self.rows, self.base.given.tasks)
+
+    @property
+    def per_state(self) -> int:
+        """Number of equations of positions, and of velocities, and of accelerations."""
+        tasks = self.base.given.tasks
+        return len(self.held) + (0 if tasks is None else tasks.tasks)
+
     def _prescribed(self, model: Model, system: System) -> Prescribed:
         """At the instants, by the records of a model and the numbers of a system."""
         trajectory, times = (self.of.trajectory, self.of.times) if model is self.model else self.of.way.of(model)
         t = np.ascontiguousarray(times[self.at])
+        if self.of.led:
+            value, rate, second = (
+                self.of.motion.arrays[f"drive_{name}"].values[self.at] for name in ("position", "velocity", "acceleration")
+            )
+            none = np.zeros((len(t), 0))
+            moving = with_supports(system, t, (none, none, none))
+            return Prescribed(t, (value, rate, second), moving, task_rows(system, trajectory, t))
         start = dict(zip(system.drives, system.drive_start.tolist(), strict=True))
         path = path_of(system, t, sample_from(model, trajectory, t, start))
         return Prescribed(t, path.drive, path.moving)
@@ -159,7 +180,7 @@ class Instants:
     def _now(self, system: System, model: Model | None = None) -> Solved:
         """The same states under what is prescribed with other numbers."""
         start = np.array_equal(system.drive_start, self.system.drive_start)
-        if model is None and start and not len(self._moving):
+        if model is None and start and not len(self._moving) and not self.of.led:
             return self.base
         return self.base._replace(given=self._prescribed(model or self.model, system))
 
@@ -187,14 +208,17 @@ class Instants:
         """What is read (s, values), and the equations, found when they are called for."""
         system = compile(model)
         states = self._placed(system, solved)
-        found = at_states(model, self.of.asked, solved.given, states, solved.force, self.case)
+        found = at_states(model, self.of.asked, solved.given.at(system, states), states, solved.force, self.case)
         read = np.concatenate([found[name].values.reshape(len(states.x), -1) for name in self.names], axis=1)
         return read, lambda: self._equations(system, solved, found.rest)
 
     def _equations(self, system: System, solved: Solved, rest: Floats | None = None) -> Floats:
         """The equations of positions, velocities, accelerations and forces (s, 3 rows + free), and of w N = J m."""
         system, states = holding(system), self._placed(system, solved)
-        found = [*row_residuals(system, solved.given, states)]
+        given = solved.given.at(system, states)
+        found = [own[:, self.held] for own in row_residuals(system, given, states)]
+        if given.tasks is not None:
+            found = [np.hstack(pair) for pair in zip(found, given.tasks.residuals(states), strict=True)]
         if self.forces:
             if rest is None:
                 rest = carried(system, solved.given.t, self.case, states, solved.force)[1]["rest"]
@@ -202,7 +226,7 @@ class Instants:
         if self.forces and self.redundant:
             moved = np.zeros_like(states.x)
             moved[:, system.free] = np.tile(self.moved, (len(states.x) // len(self.moved), 1))
-            along = row_residuals(system, solved.given.still(), States(states.x, moved, np.zeros_like(moved)))[1]
+            along = row_residuals(system, given.still(), States(states.x, moved, np.zeros_like(moved)))[1]
             found.append(self._shares(system) * solved.force - along)
         return np.concatenate(found, axis=1)
 
@@ -214,7 +238,8 @@ class Instants:
         off, scale = np.abs(read - wanted)[used].max(initial=0.0), np.abs(wanted[used]).max(initial=0.0)
         rows, free, rest = len(self.rows.row_member), len(self.rows.free), np.abs(equations()).max(axis=0)
         sizes = self._sizes()
-        limit = np.repeat([*sizes, sizes[N]], [rows, rows, rows, *((free, rows) if self.forces else (0, 0))])[: len(rest)]
+        count = [self.per_state] * 3 + ([free, rows] if self.forces else [0, 0])
+        limit = np.repeat([*sizes, sizes[N]], count)[: len(rest)]
         if not off <= AGREE * scale or not (rest <= AGREE * limit).all():
             raise AnalysisError(
                 f"{few(self.names, 4)} at single instants are not those of the whole motion here, so there is no gradient yet: "
@@ -227,22 +252,22 @@ class Instants:
         """z (k, s, equations)."""
         rows, free = len(self.rows.row_member), len(self.rows.free)
         last = (free + rows * self.redundant) * self.forces
-        z = np.zeros((len(self.weight), len(self.at), 3 * rows + last))
+        each = self.per_state
+        z = np.zeros((len(self.weight), len(self.at), 3 * each + last))
         if self.forces:
             right = self._values_by(N)
             for i, one in enumerate(self.factors):
-                z[:, i, 3 * rows :] = one.of_forces(right[:, i])
+                z[:, i, 3 * each :] = one.of_forces(right[:, i])
         for k in (A, V, X):
             right = self._values_by(k) - self._equations_by(k, z)
             for i, one in enumerate(self.factors):
-                z[:, i, k * rows : (k + 1) * rows] = one.of_states(right[:, i])
+                z[:, i, k * each : (k + 1) * each] = one.of_states(right[:, i])
         return z
 
     def _sizes(self) -> list[float]:
         """What changes of x, v, a and N are compared with."""
-        found = [shortest(self.system)]
-        others = (self.base.states.v, self.base.states.a, self.base.force)
-        return found + [float(np.abs(one).max(initial=0.0)) or 1.0 for one in others]
+        rates = (self.of.motion.arrays[name].values for name in ("velocity", "acceleration"))
+        return [shortest(self.system), *(float(np.abs(one).max(initial=0.0)) or 1.0 for one in (*rates, self.base.force))]
 
     def _unknowns(self, k: int) -> Unknowns:
         value = self.base.force if k == N else self.base.states[k]
@@ -266,7 +291,7 @@ class Instants:
     def _equations_by(self, k: int, z: Floats) -> Floats:
         """Derivatives of the weighed equations by states k, without those whose multipliers are to be found."""
         weight = z.copy()
-        weight[:, :, : (k + 1) * len(self.rows.row_member)] = 0.0
+        weight[:, :, : (k + 1) * self.per_state] = 0.0
 
         def of(values: Floats) -> Floats:
             return self._equations(self.system, self.base.changed(k, values)).reshape(*values.shape[:2], -1)
@@ -277,7 +302,9 @@ class Instants:
     def _rows(self) -> NDArray[np.int64]:
         """The node at which each equation is."""
         row, own = site_of_rows(self.rows), np.repeat(sites(self.system)["node"], 3)[self.system.free]
-        found = [row, row, row, *([own] * self.forces), *([row] * (self.forces and self.redundant))]
+        tasks = np.full(self.per_state - len(self.held), -1)
+        state = np.concatenate([row[self.held], tasks])
+        found = [state, state, state, *([own] * self.forces), *([row] * (self.forces and self.redundant))]
         return np.concatenate(found).astype(np.int64)
 
     # Derivatives by numbers at fixed states.

@@ -158,10 +158,14 @@ def gradient(of: Response | Sequence[Response], wrt: Wrt) -> xr.DataArray:
     return value_and_gradient(of, wrt)[1]
 
 
+LITTLE = 1e-3
+"""Share of the value below which derivatives count as 0 where they are compared."""
+
+
 @dataclass(frozen=True, eq=False)
 class Check:
     """A gradient beside differences: arrays (numbers,); error: the largest deviation over the largest derivative, in changes of
-    each number by its own size.
+    each number by its own size; over a thousandth of the value, if that is more.
     """
 
     gradient: NDArray[np.float64]
@@ -181,12 +185,13 @@ def check_gradient(of: Response, wrt: Wrt, step: float = 2e-4) -> Check:
     True
     """
     by = varied(of.model, wrt)
-    found = np.asarray(_found([of], by, single=True)[1])
+    value, array = _found([of], by, single=True)
+    found = np.asarray(array)
     other = np.zeros(len(by.names))
     for k in range(len(by.names)):
         for share, weight in FOUR:
             change = np.zeros(len(by.names))
             change[k] = share * step * by.scale[k]
             other[k] += weight * of.at(by.model_at(change)).value / (step * by.scale[k])
-    size = float(np.abs(other * by.scale).max(initial=0.0)) or 1.0
+    size = max(float(np.abs(other * by.scale).max(initial=0.0)), LITTLE * abs(value)) or 1.0
     return Check(found, other, float(np.abs((found - other) * by.scale).max(initial=0.0)) / size)

@@ -10,12 +10,13 @@ from __future__ import annotations
 from typing import TYPE_CHECKING, Any, NamedTuple
 
 import numpy as np
-from scipy.sparse import block_array, diags_array
+from scipy.sparse import block_array, csr_array, diags_array, vstack
 from scipy.sparse.linalg import splu
 
 from kinetruss.dynamics.force_tables import solved_in_space
 from kinetruss.dynamics.simulation_records import solved_by
 from kinetruss.errors import AnalysisError
+from kinetruss.gradients.task_rows import TaskRows, drives_at
 from kinetruss.kernels.structure.structure import ANGLE, LENGTH, States
 from kinetruss.mechanics import System, measured
 from kinetruss.mechanics.beam_shapes import yielding_shapes
@@ -36,11 +37,14 @@ def holding(system: System) -> System:
 
 
 class Prescribed(NamedTuple):
-    """Instants t (s,) s; values, rates and second rates of drives (s, drives) and of moving coordinates (s, k)."""
+    """Instants t (s,) s; values, rates and second rates of drives (s, drives) and of moving coordinates (s, k); tasks, if they
+    lead the drives, whose values are then those of the motion, and are measured anew at other states.
+    """
 
     t: Floats
     drive: Histories
     moving: Histories
+    tasks: TaskRows | None = None
 
     def tiled(self, count: int) -> Prescribed:
         """The same so many times, one after the other."""
@@ -48,12 +52,17 @@ class Prescribed(NamedTuple):
         def often(one: Floats) -> Floats:
             return np.tile(one, (count, *[1] * (one.ndim - 1)))
 
-        return Prescribed(often(self.t), _each(often, self.drive), _each(often, self.moving))
+        tasks = None if self.tasks is None else self.tasks.tiled(count)
+        return Prescribed(often(self.t), _each(often, self.drive), _each(often, self.moving), tasks)
 
     def still(self) -> Prescribed:
         """The same values at rest."""
         nothing = np.zeros_like(self.drive[0])
         return self._replace(drive=(self.drive[0], nothing, nothing))
+
+    def at(self, system: System, states: States) -> Prescribed:
+        """With the drives as they are at states (s, 3 n), if tasks lead them."""
+        return self if self.tasks is None else self._replace(drive=drives_at(system, states, self.drive[0]))
 
 
 def _each(of: Any, three: Histories) -> Histories:
@@ -106,22 +115,39 @@ def softness(system: System) -> Floats:
     return np.asarray(system.compliance[member] * system.length0[member] + system.yielding[member])
 
 
-class Factors:
-    """Factors of the rows J (rows, free) at an instant; redundant : rows, and weight (rows,) of the least sum of w N^2."""
+def state_rows(system: System, tasks: TaskRows | None) -> NDArray[np.int64]:
+    """Rows that states satisfy, as indices of all: not those of drives that tasks lead."""
+    rows = np.arange(len(system.row_drive))
+    return rows if tasks is None else rows[system.row_drive < 0]
 
-    def __init__(self, J: Any, redundant: NDArray[np.int64], weight: Floats) -> None:
+
+class Factors:
+    """Factors of the rows J (rows, free) at an instant; redundant : rows, and weight (rows,) of the least sum of w N^2; led :
+    the rows that states satisfy, and the gradients (tasks, free) of tasks behind them.
+    """
+
+    def __init__(
+        self, J: Any, redundant: NDArray[np.int64], weight: Floats, led: tuple[NDArray[np.int64], Floats] | None = None
+    ) -> None:
         self.J, self.weight, self.redundant = J, weight, redundant
         self.kept = np.setdiff1d(np.arange(J.shape[0]), redundant)
+        self.count, self.at = J.shape[0], self.kept
         try:
-            self.own = splu(J.tocsr()[self.kept].tocsc())
+            self.own = self.by_states = splu(J.tocsr()[self.kept].tocsc())
+            if led is not None:
+                rows, tasks = led
+                own = np.setdiff1d(rows, redundant)
+                self.count = len(rows) + len(tasks)
+                self.at = np.concatenate([np.searchsorted(rows, own), len(rows) + np.arange(len(tasks))])
+                self.by_states = splu(vstack([J.tocsr()[own], csr_array(tasks)]).tocsc())
             self.whole = splu(block_array([[diags_array(weight), -J], [-J.T, None]]).tocsc()) if len(redundant) else None
         except RuntimeError:
             raise AnalysisError("The position that the response reads is singular, so it has no gradient there.") from None
 
     def of_states(self, right: Floats) -> Floats:
-        """z (k, rows) of J^T z = right (k, free)."""
-        found = np.zeros((len(right), self.J.shape[0]))
-        found[:, self.kept] = self.own.solve(right.T, trans="T").T
+        """z (k, rows and tasks) of J^T z = right (k, free), with the rows that states satisfy."""
+        found = np.zeros((len(right), self.count))
+        found[:, self.at] = self.by_states.solve(right.T, trans="T").T
         return found
 
     def of_forces(self, right: Floats) -> Floats:

@@ -175,8 +175,8 @@ def shaped(system: System) -> System:
 
 @cached()
 def yielding_shapes(system: System) -> FixedShapes | None:
-    """As `fixed_shapes`, with held beams that resist next to nothing themselves: what holds, at places that differ a little from
-    those that the rows allow, by the rows alone.
+    """As `fixed_shapes`, with held beams that resist next to nothing themselves: at places that differ a little from those that
+    the rows allow, the rows alone act.
     """
     held = fixed_shapes(system)
     if held is None:
