@@ -1,5 +1,7 @@
 """Files that start from a library model, or name library records."""
 
+import pickle
+
 import pytest
 
 import kinetruss as kt
@@ -99,15 +101,53 @@ def test_faults_of_what_came_from_the_library_are_told_where_it_is_named(read):
 
 def test_parameters_of_the_library_model_can_be_replaced(tmp_path):
     path = tmp_path / "truss.yaml"
-    path.write_text("library: {name: vgt.triangular, material: {E: 71 GPa, density: 2711.5 kg/m^3}}")
-    model = kt.read(path, library={"payload_mass": "40 kg", "material.density": "2700 kg/m^3"})
-    assert (model.nodes["B"].mass, model.materials["tube"].density) == (40, 2700)
+    path.write_text("library: {name: vgt.triangular, material: {E: 71 GPa, density: 2711.5 kg/m^3}}\nnodes: {O2: {mass: 2 kg}}")
+    model = kt.io.set_values(kt.read(path), {"library.payload_mass": "40 kg", "library.material.density": "2700 kg/m^3"})
+    assert (model.nodes["B"].mass, model.nodes["O2"].mass, model.materials["tube"].density) == (40, 2, 2700)
+    # what is changed beside stays, in both orders
+    for order in (["nodes.O2.mass", "library.payload_mass"], ["library.payload_mass", "nodes.O2.mass"]):
+        other = model.with_(title="Light")
+        for one in order:
+            other = kt.io.set_value(other, one, 7.0)
+        assert (other.title, other.nodes["B"].mass, other.nodes["O2"].mass, other.materials["tube"].density) == (
+            "Light",
+            7,
+            7,
+            2700,
+        )
+    other = kt.io.set_value(pickle.loads(pickle.dumps(model)), "library.payload_mass", "3 kg")
+    assert (other.nodes["B"].mass, other.nodes["O2"].mass) == (3, 2)
     path.write_text("library: vgt.triangular")
-    assert kt.read(path, library={"payload_mass": 3}).nodes["B"].mass == 3
-    with pytest.raises(kt.ModelError, match=r"library.material: is not a table in the file. Set it as a whole"):
-        kt.read(path, library={"material.density": 3})
+    model = kt.read(path)
+    assert kt.io.set_value(model, "library.payload_mass", 3).nodes["B"].mass == 3
+    assert kt.io.set_value(model, "library.material.density", 3).materials["tube"].density == 3  # of the default
     with pytest.raises(kt.ModelError, match="library.payload_mas: .*Did you mean 'payload_mass'"):
-        kt.read(path, library={"payload_mas": 3})
+        kt.io.set_value(model, "library.payload_mas", 3)
+    path.write_text("library: {name: vgt.triangular, material: steel_s235}")
+    with pytest.raises(kt.ModelError, match=r"library.material: is not a table in the file. Set it as a whole"):
+        kt.io.set_value(kt.read(path), "library.material.density", 3)
     path.write_text("nodes: {A: [0, 0], B: [1, 0]}\nbars: {b: [A, B]}\nfixed: [A]")
-    with pytest.raises(kt.ModelError, match="the file names no library model"):
-        kt.read(path, library={"payload_mass": 3})
+    with pytest.raises(kt.ModelError, match="library: the model was not built from a library model"):
+        kt.io.set_value(kt.read(path), "library.payload_mass", 3)
+
+
+def crank_and_rod(crank, rod, at="x"):
+    """A slider-crank at a quarter turn."""
+    return kt.Model(
+        nodes={"O": (0, 0), "A": (0, crank), "B": ((rod**2 - crank**2) ** 0.5, 0)}, fixed={"O": "xy", "B": "y"},
+        bars={"crank": ("O", "A"), "rod": ("A", "B")}, drives={"motor": kt.AngleDrive("crank")}, title=at,
+        runs={"turn": kt.Run(trajectory=kt.ConstantRate(rates={"motor": 2.0}, duration=0.1), samples=3)},
+    )  # fmt: skip
+
+
+def test_parameters_of_a_function_vary_like_values_of_the_model():
+    model = kt.library.parametric(crank_and_rod, crank=0.3, rod=0.5)
+    again = kt.io.set_values(model, {"parameters.crank": "200 mm", "bars.rod.mass": "3 kg", "parameters.at": "y"})
+    assert (again.nodes["A"].at, again.bars["rod"].mass, again.title) == ((0, 0.2), 3, "y")
+    with pytest.raises(kt.ModelError, match=r"parameters.cranc: .*Did you mean 'crank'"):
+        kt.io.set_value(model, "parameters.cranc", 1)
+    # x_B = sqrt(rod^2 - crank^2); at a quarter turn its velocity is -crank w, whatever the rod
+    wrt = ["parameters.crank", "parameters.rod"]
+    place, speed = (kt.Response(f"first({name}[B, x])", kt.run, model) for name in ("position", "velocity"))
+    assert kt.gradient(place, wrt).values == pytest.approx([-0.3 / 0.4, 0.5 / 0.4], rel=1e-9)
+    assert kt.gradient(speed, wrt).values == pytest.approx([-2.0, 0.0], rel=1e-9, abs=1e-10)

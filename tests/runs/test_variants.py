@@ -97,6 +97,7 @@ def test_short_ends_of_paths():
         ({"runs.lift.trajectory.duraton": [3]}, r"duraton=3: .*'duraton' is not known here\. Did you mean 'duration'"),
         ({LIFT: ["3 s", "4 kg"]}, r"duration=4 kg: .*'4 kg' is not a time \(s\)\. Write for example"),
         ({LIFT: [3], "nodes.T.mass": [1, "-1 kg"]}, r"nodes\.T\.mass=-1 kg: nodes\.T\.mass: -1 must not be negative"),
+        ({"library.bays": [1, 2]}, "library: the model was not built from a library model"),
     ],
 )
 def test_faults_are_told_of_the_setting_that_has_them(values, message):
@@ -110,7 +111,6 @@ def test_faults_are_told_of_the_setting_that_has_them(values, message):
         ({LIFT: []}, "has no list of values"),
         ({LIFT: "345"}, "has no list of values"),
         ({LIFT: [3, "3"]}, "has a value twice"),
-        ({"library.bays": [1, 2]}, "be set only for a model file"),
     ],
 )
 def test_settings_that_say_nothing(values, message):

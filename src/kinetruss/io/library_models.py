@@ -85,29 +85,14 @@ def on_library_model(data: dict[str, Any], folder: Path, max_size: int) -> dict[
     return merged(model, own)
 
 
-def with_parameters(data: dict[str, Any], parameters: Mapping[str, Any]) -> dict[str, Any]:
-    """The data of a file with other parameters of its library model; a dotted name is a path into a parameter given as a table.
-
-    Raises
-    ------
-    ModelError : the file names no library model, or the parameter before a dot is not a table in it.
-    """
-    wanted = data.get("library")
-    if wanted is None:
-        mend = "Set a value of the model itself, e.g. nodes.B.mass."
-        raise ModelError([Fault(("library",), "the file names no library model.", mend)])
-    changed: dict[str, Any] = {"name": wanted} if isinstance(wanted, str) else dict(wanted)
-    for name, value in parameters.items():
-        *tables, last = name.split(".")
-        here = changed
-        for k, table in enumerate(tables):
-            if not isinstance(here.get(table), Mapping):
-                path = ("library", *tables[: k + 1])
-                raise ModelError([Fault(path, "is not a table in the file.", f"Set it as a whole: {'.'.join(path)}={{...}}.")])
-            here[table] = dict(here[table])
-            here = here[table]
-        here[last] = value
-    return data | {"library": changed}
+def library_parameters(wanted: str | Mapping[str, Any]) -> tuple[dict[str, Any], dict[str, Any]]:
+    """Parameters of a library model as a file has them, and the defaults of the others."""
+    wanted = {"name": wanted} if isinstance(wanted, str) else wanted
+    record = importlib.import_module("kinetruss.library").builders()[wanted["name"]]
+    defaults = {
+        key: one.get_default(call_default_factory=True) for key, one in record.model_fields.items() if not one.is_required()
+    }
+    return {key: value for key, value in wanted.items() if key != "name"}, defaults
 
 
 def _in_library(fault: Fault, name: str) -> Fault:

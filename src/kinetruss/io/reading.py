@@ -5,6 +5,7 @@ from __future__ import annotations
 import os
 from collections.abc import Callable, Mapping
 from dataclasses import replace
+from functools import partial
 from itertools import pairwise
 from pathlib import Path
 from statistics import median
@@ -14,9 +15,10 @@ from kinetruss.errors import Fault, InputError, ModelError, UnitError, shown
 from kinetruss.io.csv_tables import Table, read_table
 from kinetruss.io.earlier import without_inner_parts
 from kinetruss.io.histories import measured_columns, read_measured_table
-from kinetruss.io.library_models import on_library_model, with_parameters
+from kinetruss.io.library_models import library_parameters, on_library_model
 from kinetruss.io.yaml_text import MAX_SIZE, Tree, locate, parse, plain, read_text, refuse
 from kinetruss.model import FORMAT, Lost, Model, of_file, rests_on
+from kinetruss.model.recipes import Recipe
 from kinetruss.units import Tagged, parse as quantity
 
 Place = tuple[str, ...]
@@ -161,7 +163,7 @@ def _motion(reading: Reading, name: str, entry: Mapping[str, Any]) -> None:
 # A model from a file.
 
 
-def read(path: str | Path, *, max_size: int = MAX_SIZE, library: Mapping[str, Any] | None = None) -> Model:
+def read(path: str | Path, *, max_size: int = MAX_SIZE) -> Model:
     r"""Read a model from a YAML or JSON file.
 
     Every scalar of a YAML file is text, so ``no`` and ``12:30`` are names like any other; quantities are read with their
@@ -174,7 +176,6 @@ def read(path: str | Path, *, max_size: int = MAX_SIZE, library: Mapping[str, An
     ----------
     path : file; ``.json`` is read as JSON, anything else as YAML.
     max_size : bytes; a larger file is not read.
-    library : parameters of the library model that replace those of the file, e.g. ``{"payload_mass": "40 kg"}``.
 
     Returns
     -------
@@ -202,8 +203,7 @@ def read(path: str | Path, *, max_size: int = MAX_SIZE, library: Mapping[str, An
     try:
         tree, faults = _parsed(path, max_size)
         try:
-            data = plain(tree) if not library else with_parameters(plain(tree), library)
-            return model_of(data, faults, path.parent, max_size)
+            return model_of(plain(tree), faults, path.parent, max_size)
         except ModelError as error:
             raise ModelError(_sorted([_located(fault, tree) for fault in error.faults])) from None
     except ModelError as error:
@@ -246,7 +246,7 @@ def model_of(data: dict[str, Any], faults: list[Fault], folder: Path, max_size: 
         # another format: nothing else in the file can be checked
         mend = f"This release reads kinetruss: {FORMAT}."
         raise refuse(f"format version {shown(data['kinetruss'])} is not known here.", mend, path=("kinetruss",))
-    lost = Lost()
+    lost, file = Lost(), data
     if "library" in data:
         try:
             data = on_library_model(data, folder, max_size)
@@ -269,7 +269,17 @@ def model_of(data: dict[str, Any], faults: list[Fault], folder: Path, max_size: 
         raise ModelError(faults + own) from None
     if faults:
         raise ModelError(faults)
-    return model
+    if "library" not in file:
+        return model
+    parameters, defaults = library_parameters(file["library"])
+    return Recipe("library", partial(_rebuilt, file, folder, max_size), parameters, defaults).noted(model)
+
+
+def _rebuilt(file: dict[str, Any], folder: Path, max_size: int, parameters: Mapping[str, Any]) -> Model:
+    """The model of the data of a file with other parameters of its library model."""
+    wanted = file["library"]
+    name = wanted if isinstance(wanted, str) else wanted["name"]
+    return model_of(file | {"library": {"name": name, **parameters}}, [], folder, max_size)
 
 
 def _located(fault: Fault, tree: Tree) -> Fault:

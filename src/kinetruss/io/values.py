@@ -3,16 +3,17 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Mapping, Sequence
-from dataclasses import dataclass
+from contextlib import suppress
+from dataclasses import dataclass, replace
 from typing import Any
 
-from kinetruss.errors import Fault, InputError, ModelError, few
+from kinetruss.errors import Fault, InputError, ModelError, UnitError, few
 from kinetruss.io.library_models import fields
 from kinetruss.io.yaml_text import parse_yaml, plain
 from kinetruss.model import Model, Record, nearest
+from kinetruss.model.recipes import Keys, Recipe
 from kinetruss.model.references import matched, names_in
-
-Keys = tuple[str | int, ...]
+from kinetruss.units import NUMBER, parse
 
 
 def set_value(model: Model, path: str, value: Any) -> Model:
@@ -64,10 +65,19 @@ def set_values(model: Model, settings: Mapping[str, Any]) -> Model:
 
 def changed(model: Model, settings: Iterable[tuple[Keys, Any]]) -> Model:
     """`set_values` with paths as they are `resolved`, and values that are no text."""
+    settings, recipe = list(settings), model.recipe
+    of_recipe: dict[str | int, Any] = {}
     changes: dict[str | int, Any] = {}
     for keys, value in settings:
-        _noted(changes, keys, _New(value))
-    return Model(**_changed(model, model, changes))
+        is_parameter = recipe is not None and keys[0] == recipe.name
+        _noted(of_recipe if is_parameter else changes, keys[1:] if is_parameter else keys, _New(value))
+    if recipe is None:
+        return Model(**_changed(model, model, changes))
+    if of_recipe:
+        built = recipe.build({**recipe.parameters, **_below(model, recipe.all, of_recipe)})
+        model, recipe = changed(built, recipe.changes), replace(recipe, parameters=built.recipe.parameters)  # type: ignore[union-attr]
+    own = tuple((keys, value) for keys, value in settings if keys[0] != recipe.name)
+    return recipe.noted(Model(**_changed(model, model, changes)) if own else model, own)
 
 
 @dataclass(frozen=True, slots=True)
@@ -106,6 +116,12 @@ def resolved(model: Model, path: str) -> Keys:
     here: Any = model
     keys: list[str | int] = []
     rest = path.split(".")
+    if len(rest) > 1 and (recipe := model.recipe) is not None and rest[0] == recipe.name:
+        return _parameter(recipe, rest)
+    if rest[0] in ("library", "parameters"):
+        what = "a library model" if rest[0] == "library" else "parameters"
+        mend = "Set a value of the model itself, e.g. nodes.B.mass; in Python: kt.library.parametric."
+        raise ModelError([Fault((rest[0],), f"the model was not built from {what}.", mend)])
     while rest:
         key, rest = _next(here, rest, keys)
         keys.append(key)
@@ -123,6 +139,29 @@ def within(model: Model, record: Record, key: str) -> Any:
     """The value of a field; of a section or material that is not given that of the model, which then applies."""
     own = getattr(record, key)
     return getattr(model, f"{key}_of")(record) if own is None and key in ("section", "material") else own
+
+
+def _parameter(recipe: Recipe, path: Sequence[str]) -> Keys:
+    """The keys of the path of a parameter."""
+    keys: list[str | int] = [recipe.name]
+    here: Any = recipe.all
+    for name in path[1:]:
+        key: str | int = int(name) if isinstance(here, Sequence) and not isinstance(here, str) and name.isdecimal() else name
+        if isinstance(key, int) and key < len(here):
+            here = here[key]
+        elif isinstance(here, Mapping) and (key in here or len(keys) > 1):
+            here = here.get(key)
+        elif isinstance(here, Record) and key in type(here).model_fields:
+            here = getattr(here, str(key))
+        elif isinstance(here, Mapping | Record):
+            known = here if isinstance(here, Mapping) else type(here).model_fields
+            raise ModelError([Fault((*keys, key), f"{name!r} is not known here.", nearest(name, known))])
+        else:
+            mend = f"Set it as a whole: {'.'.join(map(str, keys))}={{...}}."
+            what = "is not a table in the file." if recipe.name == "library" else "has no parts."
+            raise ModelError([Fault(tuple(keys), what, mend)])
+        keys.append(key)
+    return tuple(keys)
 
 
 def _next(here: Any, rest: list[str], before: Sequence[str | int]) -> tuple[str | int, list[str]]:
@@ -183,8 +222,14 @@ def number_at(model: Model, path: str, keys: Keys) -> float:
     0.1
     """
     here: Any = model
+    recipe = model.recipe
+    if recipe is not None and keys[0] == recipe.name:
+        here, keys = recipe.all, keys[1:]
     for key in keys:
         here = within(model, here, str(key)) if hasattr(type(here), "model_fields") else here[key]
+    if isinstance(here, str) and NUMBER.match(here):  # of a parameter, as a file has it
+        with suppress(UnitError):
+            return float(parse(here, "measure"))
     if isinstance(here, bool) or not isinstance(here, int | float):
         said = "is not set" if here is None else "is no number"
         raise InputError(f"{path} {said}, so it cannot vary. Name one number that the model has.")
@@ -202,6 +247,11 @@ def _places(here: Any, end: str, path: str = "") -> Iterator[str]:
             yield from _places(one, end, whole)
 
 
+def _below(model: Model, here: Mapping[str, Any], changes: Mapping[Any, Any]) -> dict[str, Any]:
+    """The changed ones of some parameters."""
+    return {key: _changed(model, here.get(key), below) for key, below in changes.items()}
+
+
 def _changed(model: Model, here: Any, changes: Any) -> Any:
     """The data of a record, table or list of a model with the changes."""
     if isinstance(changes, _New):
@@ -210,5 +260,5 @@ def _changed(model: Model, here: Any, changes: Any) -> Any:
         own = {str(key): _changed(model, within(model, here, str(key)), below) for key, below in changes.items()}
         return fields(here) | own
     if isinstance(here, Mapping):
-        return {**here, **{key: _changed(model, here[key], below) for key, below in changes.items()}}
+        return {**here, **_below(model, here, changes)}
     return [_changed(model, item, changes[index]) if index in changes else item for index, item in enumerate(here)]

@@ -16,7 +16,7 @@ if TYPE_CHECKING:
         sections as sections,
         vgt as vgt,
     )
-    from kinetruss.library.building import build as build, builders as builders
+    from kinetruss.library.building import build as build, builders as builders, parametric as parametric
     from kinetruss.library.example_texts import example_files as example_files, example_text as example_text
 
 __getattr__, __dir__, __all__ = late(__name__)

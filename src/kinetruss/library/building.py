@@ -13,6 +13,8 @@ from pydantic import create_model
 
 from kinetruss.errors import ArgumentError, Fault, ModelError, shown
 from kinetruss.model import Model, Of, Record, nearest
+from kinetruss.model.recipes import Recipe
+from kinetruss.units import NUMBER, parse
 
 P = ParamSpec("P")
 T = TypeVar("T")
@@ -77,13 +79,47 @@ def builder(name: str) -> Callable[[Callable[P, Model]], Callable[P, Model]]:
         @functools.wraps(function)
         def checked(*args: P.args, **kwargs: P.kwargs) -> Model:
             given = record(**bound(function.__name__, signature, args, kwargs))
-            build: Callable[..., Model] = function
-            return build(**{key: getattr(given, key) for key in fields})
+            make: Callable[..., Model] = function
+            every = {key: getattr(given, key) for key in fields}
+            return Recipe("library", functools.partial(build, name), every, {}).noted(make(**every))
 
         BUILDERS[name] = checked, record
         return checked
 
     return decorate
+
+
+def parametric(build: Callable[..., Model], /, **parameters: Any) -> Model:
+    """The model that a function builds of parameters, which can change like its own values: by paths ``parameters.NAME``.
+
+    So gradients, optima, studies and `io.set_value` take lengths of a mechanism or heights of cells, on which many places
+    depend. Of library models the paths are ``library.NAME``.
+
+    Parameters
+    ----------
+    build : gives a `Model`; what a study sends to other processes must be found there by its name.
+
+    Examples
+    --------
+    >>> import kinetruss as kt
+    >>> def roof(span, rise):
+    ...     return kt.Model(nodes={"A": (0, 0), "B": (span, 0), "C": (span / 2, rise)}, fixed=["A", "B"],
+    ...                     bars={"left": ("A", "C"), "right": ("B", "C")})
+    >>> model = parametric(roof, span=4.0, rise=1.5)
+    >>> kt.io.set_value(model, "parameters.span", "6 m").nodes["C"].at
+    (3.0, 1.5)
+    """
+    arguments = inspect.signature(build).parameters.items()
+    defaults = {key: one.default for key, one in arguments if one.default is not inspect.Parameter.empty}
+    return Recipe("parameters", functools.partial(_built, build), parameters, defaults).noted(build(**parameters))
+
+
+def _built(build: Callable[..., Model], parameters: Mapping[str, Any]) -> Model:
+    """The model of other parameters."""
+    given = {
+        key: parse(one, "measure") if isinstance(one, str) and NUMBER.match(one) else one for key, one in parameters.items()
+    }
+    return parametric(build, **given)
 
 
 def named(table: Mapping[str, T], chosen: T | str | None, parameter: str) -> T | None:

@@ -15,6 +15,7 @@ from kinetruss.model.data import AXES, ModelData
 from kinetruss.model.description import described
 from kinetruss.model.hubs import hub_faults
 from kinetruss.model.members import Node
+from kinetruss.model.recipes import Recipe
 from kinetruss.model.whole import WholeModel, expanded
 
 
@@ -84,6 +85,12 @@ class Model(ModelData):
         """The model with the inner parts that represent its beams, bodies and hubs: what analyses compute with."""
         return expanded(self)
 
+    @property
+    def recipe(self) -> Recipe | None:
+        """How the model was built from parameters, if it was."""
+        found: Recipe | None = self.__dict__.get("recipe")
+        return found
+
     def __repr__(self) -> str:
         """The title, and the number of each kind of part; drives by name."""
         return described(self)
@@ -99,7 +106,10 @@ class Model(ModelData):
         'a bar'
         """
         fields = {name: getattr(self, name) for name in self.model_fields_set}
-        return type(self)(**fields | changes)
+        found = type(self)(**fields | changes)
+        if self.recipe is not None:
+            self.recipe.noted(found, tuple(((name,), value) for name, value in changes.items()))
+        return found
 
 
 def _dimension_of(nodes: Any) -> int:

@@ -12,7 +12,6 @@ from typing import Any
 
 from kinetruss.errors import InputError, ModelError
 from kinetruss.io import MAX_SIZE, read, set_values
-from kinetruss.io.values import given
 from kinetruss.limits import MOST_VARIANTS, hold
 from kinetruss.model import Model
 
@@ -36,8 +35,7 @@ def variants(model: Model | str | Path, settings: Settings) -> dict[str, Model]:
 
     Parameters
     ----------
-    model : a model, or a model file. ``library.NAME``, a parameter of the library model in a file, can be set only for a
-    file: a model does not store the parameters from which it was built.
+    model : a model, or a model file.
     settings : dotted path -> values, as for `io.set_value`, e.g. ``{"runs.extend.trajectory.duration": [3, "5 s"]}``.
 
     Returns
@@ -79,13 +77,11 @@ def spread(model: Model | str | Path, settings: Settings, max_size: int = MAX_SI
 
 
 class Base:
-    """The base of the variants; each set of library parameters is built once."""
+    """The base of the variants."""
 
     def __init__(self, model: Model | str | Path, max_size: int) -> None:
-        self._file = None if isinstance(model, Model) else Path(model)
-        self._max_size = max_size
-        # report faults of the file itself before anything is set
-        self._built: dict[tuple[str, ...], Model] = {(): model if isinstance(model, Model) else read(model, max_size=max_size)}
+        # reports faults of the file itself before anything is set
+        self._model = model if isinstance(model, Model) else read(model, max_size=max_size)
 
     def with_(self, values: Mapping[str, Any]) -> Model:
         """The model with these values."""
@@ -95,16 +91,7 @@ class Base:
             raise _blamed(error, values, self._changed) from None
 
     def _changed(self, values: Mapping[str, Any]) -> Model:
-        own = {path: value for path, value in values.items() if not path.startswith("library.")}
-        parameters = {path.removeprefix("library."): value for path, value in values.items() if path not in own}
-        if parameters and self._file is None:
-            raise InputError(f"library.{next(iter(parameters))} can be set only for a model file, not for a model.")
-        key = tuple(map(str, itertools.chain(*parameters.items())))
-        if key not in self._built:
-            library = {name: given(value) for name, value in parameters.items()}
-            self._built[key] = read(self._file or "", max_size=self._max_size, library=library)
-        base = self._built[key]
-        return set_values(base, own) if own else base
+        return set_values(self._model, values) if values else self._model
 
 
 def _blamed(error: ModelError, values: Mapping[str, Any], change: Any) -> ModelError:
