@@ -34,7 +34,7 @@ APART = 1e-14
 """Relative distance of the values by which numbers are told from each other."""
 TRIED = 1e-7
 """Step of the one other model that is compiled, as a fraction of a number or of its scale."""
-STEP = 2e-4
+STEP = 1e-4
 """Step of differences, as a fraction of a number or of its scale."""
 
 Wrt = Sequence[str | Sequence[str]]

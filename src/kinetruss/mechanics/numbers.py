@@ -51,6 +51,8 @@ def system_at(system: System, changes: Mapping[str, NDArray[Any]]) -> System:
     given = {name: np.asarray(changes[name]) if name in changes else one for name, one in own.items()}
     if unknown := set(changes) - set(own):
         raise AnalysisError(f"The model has no numbers called {', '.join(sorted(unknown))}. It has: {', '.join(own)}.")
+    if all(one.shape == own[name].shape and one.dtype == float for name, one in given.items()):
+        return replace(system, **arrays_at(joined, Numbers(given)))
     lead = np.broadcast_shapes(*(one.shape[: one.ndim - own[name].ndim] for name, one in given.items()))
     kind: Any = complex if any(np.iscomplexobj(one) for one in given.values()) else float
     every = {name: np.broadcast_to(one, (*lead, *own[name].shape)).astype(kind) for name, one in given.items()}
