@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from typing import Any
+from weakref import ref
 
 from kinetruss.errors import Fault, InputError, ModelError, few
 from kinetruss.io.library_models import fields
@@ -65,9 +66,34 @@ def set_values(model: Model, settings: Mapping[str, Any]) -> Model:
 def changed(model: Model, settings: Iterable[tuple[Keys, Any]]) -> Model:
     """`set_values` with paths as they are `resolved`, and values that are no text."""
     changes: dict[str | int, Any] = {}
+    every = []
     for keys, value in settings:
+        every.append(keys)
         _noted(changes, keys, _New(value))
-    return Model(**_changed(model, model, changes))
+    found = Model(**_changed(model, model, changes))
+    first, before = origin(model)
+    _origins[id(found)] = ref(found), first, before.union(every)
+    for oldest in list(_origins)[:-KEPT]:
+        _origins.pop(oldest, None)
+    return found
+
+
+KEPT = 64
+_origins: dict[int, tuple[ref[Model], Model, frozenset[Keys]]] = {}
+"""The last models that `changed` made, by identity."""
+
+
+def origin(model: Model) -> tuple[Model, frozenset[Keys]]:
+    """The model from which another came by `changed` alone, and the keys of what is not as there; of others itself and none.
+
+    >>> import kinetruss as kt
+    >>> model = kt.library.mechanisms.four_bar()
+    >>> first, keys = origin(set_value(set_value(model, "nodes.B.mass", 1), "nodes.B.mass", 2))
+    >>> first is model, list(keys)
+    (True, [('nodes', 'B', 'mass')])
+    """
+    known = _origins.get(id(model))
+    return known[1:] if known is not None and known[0]() is model else (model, frozenset())
 
 
 @dataclass(frozen=True, slots=True)
@@ -113,8 +139,8 @@ def resolved(model: Model, path: str) -> Keys:
             here = here[key]
             continue
         record, here = here, within(model, here, str(key)) if rest else getattr(here, str(key))
-        refs = [ref for ref, _, place in names_in(record) if place == (key,)] if rest and isinstance(here, str) else []
-        if refs and (home := [table for table in refs[0].tables if here in getattr(model, table)]):
+        named = [one for one, _, place in names_in(record) if place == (key,)] if rest and isinstance(here, str) else []
+        if named and (home := [table for table in named[0].tables if here in getattr(model, table)]):
             keys, here = [home[0], here], getattr(model, home[0])[here]
     return tuple(keys)
 
