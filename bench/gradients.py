@@ -1,4 +1,6 @@
-"""Gradient of a displacement of a truss of 20 bars by all of its 43 numbers (E, areas, places of nodes) through its tables.
+"""What gradients cost beside values (the cases of `gradient_cases`), and a gradient by hand through the tables of a system.
+
+By hand: of a displacement of a truss of 20 bars by all of its 43 numbers (E, areas, places of nodes).
 
 Small displacements, K u = f with K from the laws and places of the bars; g is a displacement of the tip. With K a = e_tip,
 dg = -a . d(K u), of all numbers by one complex step of the tables. Errors against a complex step of the whole and against
@@ -7,13 +9,14 @@ differences of `statics.linear`, of the largest entry; processor times, best of 
 
 from __future__ import annotations
 
+import argparse
 import json
-import sys
 import time
 from collections.abc import Callable, Mapping
 from typing import Any
 
 import numpy as np
+from gradient_cases import measured
 
 import kinetruss as kt
 from kinetruss.mechanics import System, compile
@@ -78,7 +81,7 @@ def gradient(system: System) -> Any:
     return -(push(system, tables_at(system, steps(system)[0]), u.reshape(-1, 3)).imag / STEP) @ a
 
 
-def measured() -> dict[str, float]:
+def through_tables() -> dict[str, float]:
     """Errors and times, ms."""
     grid = np.array([*((i, j) for i in range(BAYS) for j in (0.0, 1.0)), (5.0, 0.5)])
     own = np.concatenate([[2.1e11], 1e-3 * (1 + np.random.default_rng(0).random(20)), grid.reshape(-1)])
@@ -112,10 +115,22 @@ def best(work: Callable[[], Any]) -> float:
     return min(times)
 
 
-if __name__ == "__main__":
-    if "--json" in sys.argv:
-        import gradient_cases
+def main() -> None:
+    parser = argparse.ArgumentParser(description=__doc__)
+    parser.add_argument("--json", action="store_true", help="print one JSON object: rows of all cases of gradient_cases")
+    parser.add_argument("--quick", action="store_true", help="the small cases alone")
+    parser.add_argument("--case", default="", help="only cases with this in their name")
+    options = parser.parse_args()
+    rows = []
+    for row in measured(options.case, quick=options.quick):
+        rows.append(row)
+        if not options.json:
+            error = "-" if row["error"] is None else f"{row['error']:.0e}"
+            times = f"{row['value_ms']:10.2f} {row['gradient_ms']:10.2f} {row['ratio']:6.2f}"
+            print(f"{row['case']:42s} {row['numbers']:6d} {times} {error:>7s}", flush=True)
+    if options.json:
+        print(json.dumps({"rows": rows, "through_tables": through_tables()}, indent=1))
 
-        print(json.dumps({"rows": gradient_cases.measured(sys.argv[-1] if sys.argv[-1] != "--json" else "")}, indent=1))
-    else:
-        print(json.dumps(measured(), indent=1))
+
+if __name__ == "__main__":
+    main()

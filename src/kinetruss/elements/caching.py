@@ -42,3 +42,8 @@ def cached(most: int = 32, *, of_records: bool = False) -> Callable[[Finder[Key,
         return cast("Finder[Key, Found]", update_wrapper(remembered, find))
 
     return decorated
+
+
+def keep(find: Any, system: System, found: Any) -> None:
+    """Let a function that is `cached`, of a System alone, find this of it."""
+    system.memory.setdefault(find.__wrapped__, {})[()] = found

@@ -325,8 +325,6 @@ class Instants:
         alone = in_arrays & np.array([all(keys[0] in ARRAYS_ALONE for keys in own) for own in by.keys])
         used = {*self.site[np.abs(self.weight).max(axis=(0, 1), initial=0.0) > 0].tolist()}
         near = np.array([-1 in used or one is None or not used.isdisjoint(one) for one in by.near])
-        # of small models one evaluation serves both
-        both = alone & near & (near.mean() > 0.5)
 
         def through_arrays(change: Floats) -> list[Floats]:
             system = by.changed(change)
@@ -335,11 +333,6 @@ class Instants:
         def read_from_arrays(change: Floats) -> list[Floats]:
             model = standing_for(by.changed(change))
             return [self._values(model, self._now(compile(model)))]
-
-        def both_from_arrays(change: Floats) -> list[Floats]:
-            model = standing_for(by.changed(change))
-            values, rest = self._both(model, self._now(compile(model)))
-            return [values, rest()]
 
         def read_from_records(change: Floats) -> list[Floats]:
             return [self._values(*self._recorded(change))]
@@ -350,9 +343,8 @@ class Instants:
 
         found = np.zeros((len(z), len(by.names)))
         for chosen, of, parts in (
-            (both, both_from_arrays, (read, equations)),
-            (in_arrays & ~both, through_arrays, (equations,)),
-            (alone & near & ~both, read_from_arrays, (read,)),
+            (in_arrays, through_arrays, (equations,)),
+            (alone & near, read_from_arrays, (read,)),
             (in_arrays & ~alone & near, read_from_records, (read,)),
             (~in_arrays, both_from_records, (read, equations)),
         ):

@@ -18,10 +18,12 @@ if TYPE_CHECKING:
 
 FOUR = ((1.0, 2 / 3), (-1.0, -2 / 3), (2.0, -1 / 12), (-2.0, 1 / 12))
 """Steps and weights of the central difference of fourth order; exact for polynomials to the fourth degree."""
+THREE = ((1.0, 1.0), (-1.0, -1 / 3), (2.0, -1 / 6))
+"""Those of the difference of third order, of what a value changes from that without a step; exact to the third degree."""
 TWO = ((1.0, 0.5), (-1.0, -0.5))
 """Those of second order; exact for quadratic functions."""
 ROUGH, NOISE = 1e-4, 1e-13
-"""Fractions of a change, and of a value, by which differences of second order over one and two steps may differ."""
+"""Fractions of a change, and of a value, by which two differences of second order may differ."""
 FINER = (1.0, 0.1, 0.01, 1e-3)
 """Steps for numbers that act strongly nonlinear, as fractions of the usual."""
 GOLDEN = (5**0.5 - 1) / 2
@@ -42,22 +44,24 @@ def differences(
     near: Sequence[Near],
     step: Floats,
     count: int,
-    points: Sequence[tuple[float, float]] = FOUR,
+    points: Sequence[tuple[float, float]] = THREE,
     *,
+    here: Floats | None = None,
     few_act: bool = False,
 ) -> Floats:
     """Derivatives (k, numbers) of weighed sums by numbers.
 
     given.of : takes changes (numbers,) of the numbers. near : nodes near each number, as of `near_nodes`. step (numbers,).
-    count : of nodes. few_act : first ask whether a change has an effect at all. Numbers whose effects are not where they are
-    expected are taken one by one.
+    count : of nodes. here : the functions without a change, if they are known. few_act : first ask whether a change has an
+    effect at all. Numbers whose effects are not where they are expected are taken one by one.
     """
     found, step = np.zeros((len(given.weight), len(step))), uneven(step)
     wanted = [k for k in range(len(step)) if step[k]]
     groups = [[wanted[j] for j in group] for group in colours([near[k] for k in wanted], count)]
-    here = given.of(np.zeros_like(step)) if few_act and wanted else None
+    if here is None and wanted and (few_act or len(points) > len(TWO)):
+        here = given.of(np.zeros_like(step))
     for group in groups:
-        change = _change(given, step, group, points, here)
+        change = _change(given, step, group, points, here, few_act=few_act)
         if len(group) == 1:
             found[:, group[0]] = given.weight @ change
             continue
@@ -68,7 +72,7 @@ def differences(
         size = np.abs(given.weight).max(axis=0, initial=0.0) * np.abs(change)
         if size[own < 0].sum() > LEAK * size.sum():
             for k in group:
-                found[:, k] = given.weight @ _change(given, step, [k], points)
+                found[:, k] = given.weight @ _change(given, step, [k], points, here, few_act=few_act)
             continue
         kept = np.flatnonzero((own >= 0) & (change != 0.0))
         onto = csr_array((change[kept], (kept, own[kept])), shape=(len(change), len(group)))
@@ -86,25 +90,30 @@ def _change(
     step: Floats,
     group: Sequence[int],
     points: Sequence[tuple[float, float]],
-    here: Floats | None = None,
+    here: Any,
+    *,
+    few_act: bool,
 ) -> Any:
-    """The change (m,) of the functions for a step of all numbers of a group; none where the first step has none (here (m,))."""
+    """The change (m,) of the functions, without one here (m,), for a step of all numbers of a group; few_act : none where the
+    first step has none.
+    """
     own = np.zeros_like(step)
     own[group] = step[group]
     for finer in FINER:
         found: list[Any] = []
         for share, _ in points:
             found.append(given.of(share * finer * own))
-            if here is not None and len(found) == 1 and finer == 1.0 and np.array_equal(found[0], here, equal_nan=True):
+            if few_act and len(found) == 1 and finer == 1.0 and np.array_equal(found[0], here, equal_nan=True):
                 return np.zeros_like(here)
-        change = sum(weight * one for (_, weight), one in zip(points, found, strict=True)) / finer
-        if len(points) < len(FOUR) or not _rough(given.weight, found):
+        from_here = 0.0 if points is TWO else here
+        change = sum(weight * (one - from_here) for (_, weight), one in zip(points, found, strict=True)) / finer
+        if points is TWO or not _rough(given.weight, found, here):
             return change
     raise AnalysisError("A number acts with a kink or a jump, even in small steps, so there is no derivative by it.")
 
 
-def _rough(weight: Floats, found: Sequence[Any]) -> bool:
-    """Whether differences of second order over one step and over two are not alike, in the sums (k,), beyond round-off."""
-    one, two = (found[0] - found[1]) / 2, (found[2] - found[3]) / 4
-    size = np.abs(weight)
-    return bool((np.abs(weight @ (one - two)) > ROUGH * (size @ np.abs(one)) + NOISE * (size @ np.abs(found[0]))).any())
+def _rough(weight: Floats, found: Sequence[Any], here: Floats) -> bool:
+    """Whether two differences of second order, one to both sides, are not alike, in the sums (k,), beyond round-off."""
+    up, down, farther = (one - here for one in found[:3])
+    off, size = np.abs(weight @ ((up - down) / 2 - (4 * up - farther) / 2)), np.abs(weight)
+    return bool((off > ROUGH * (size @ np.abs(up)) + NOISE * (size @ np.abs(found[0]))).any())

@@ -69,7 +69,7 @@ class EquilibriumPoint(Told):
         self.free = held.free
         self.unknown = np.concatenate([self.reached.x.reshape(-1)[self.free], self.reached.N])
         self.state = len(self.unknown)
-        size = float(np.ptp(self.reached.x, axis=0).max()) or 1.0
+        size = float(np.ptp(self.reached.x, axis=0).max()) / len(self.reached.x) ** 0.5 or 1.0
         force = float(np.abs(self.reached.N).max(initial=0.0)) or 1.0
         self.size = np.concatenate([np.full(len(self.free), size), np.full(len(self.reached.N), force)])
         node = sites(system)["node"]

@@ -16,7 +16,7 @@ from typing import TYPE_CHECKING, Any, Protocol
 import numpy as np
 
 from kinetruss.errors import AnalysisError, ModelError
-from kinetruss.gradients.differences import FOUR, TWO, Weighed, differences
+from kinetruss.gradients.differences import THREE, TWO, Weighed, differences
 from kinetruss.gradients.nearness import parts_of
 from kinetruss.gradients.varied import STEP, TRIED, Varied
 
@@ -95,8 +95,9 @@ def gradients_at(point: Point, by: Varied, seeds: Sequence[Mapping[str, Floats]]
     weights, sites = np.concatenate([-z, weight], axis=1), np.concatenate([point.row, site])
     placed = Weighed(lambda change: both(by.changed(change)), weights, sites)
     anew = Weighed(lambda change: both(by.compiled(change)), weights, sites)
-    found = differences(placed, by.near, step, count)
-    first, expected = both(point.system), placed.of(by.trial)
+    first = both(point.system)
+    found = differences(placed, by.near, step, count, here=first)
+    expected = placed.of(by.trial)
 
     def missed(effect: Floats) -> bool:
         size = MISSED * (np.abs(found) @ by.trial) + NOISE * (np.abs(weights) @ np.abs(expected - first))
@@ -104,7 +105,7 @@ def gradients_at(point: Point, by: Varied, seeds: Sequence[Mapping[str, Floats]]
 
     near = [None] * len(step) if missed(weights @ (expected - first) - found @ by.trial) else by.near
     if near is not by.near:
-        found = differences(placed, near, step, count)
+        found = differences(placed, near, step, count, here=first)
     trials = [by.trial] if missed(weights @ (both(by.tried) - expected)) else []
     # numbers that only records have may act on one side alone, as instants of tables
     trials += [one for one in (by.of_records * by.trial, -(by.of_records * by.trial)) if by.of_records.any()]
@@ -115,7 +116,7 @@ def gradients_at(point: Point, by: Varied, seeds: Sequence[Mapping[str, Floats]]
             except ModelError:  # at the end of what may be given
                 continue
             if missed(effect - found @ change):
-                found[:, own] = differences(anew, near, np.where(own, step, 0.0), count)[:, own]
+                found[:, own] = differences(anew, near, np.where(own, step, 0.0), count, here=first)[:, own]
                 if missed(effect - found @ change):
                     raise AnalysisError(
                         f"There is no gradient by {by.names[int(np.argmax(own))]} here, at a kink: a small change of it, or of "
@@ -144,7 +145,7 @@ def by_unknowns(point: Point, given: Weighed) -> Floats:
     used = set(given.site[np.abs(given.weight).max(axis=0) > 0].tolist())
     touching = {i: -1 in used or bool(own & used) for i, own in around.items()}
     near = [around.get(i) for i in point.at.tolist()]
-    step, points = STEP * point.size, TWO if point.linear else FOUR
+    step, points = STEP * point.size, TWO if point.linear else THREE
     touched = np.array([touching.get(i, True) for i in point.at.tolist()], float)
     found = differences(given, near, step * touched, len(names), points)
     trial = TRIED * point.size * np.random.default_rng(2).uniform(0.5, 1.0, len(step))

@@ -12,7 +12,7 @@ from typing import TYPE_CHECKING, Any, NamedTuple
 import numpy as np
 
 from kinetruss.errors import AnalysisError
-from kinetruss.gradients.differences import FOUR, LEAK, uneven
+from kinetruss.gradients.differences import LEAK, THREE, uneven
 from kinetruss.gradients.nearness import Near, colours
 
 if TYPE_CHECKING:
@@ -84,15 +84,15 @@ def _changes(
         row[group] = by.step[group]
     change, second = np.zeros((2, len(groups), *here.shape[1:]))
     acting, at = np.arange(len(groups)), list[Any]()
-    for share, _ in FOUR:
+    for share, _ in THREE:
         at.append(of(by.value + share * label[acting, None])[..., used])
         if len(at) == 1:
             moved = ((at[0] != here) & (weight != 0).any(axis=0)).any(axis=(1, 2))
             acting, at[0] = acting[moved], at[0][moved]
             if not len(acting):
                 return change, second
-    for (_, part), one in zip(FOUR, at, strict=True):
-        change[acting] += part * one
+    for (_, part), one in zip(THREE, at, strict=True):
+        change[acting] += part * (one - here)
     second[acting] = at[0] + at[1] - 2 * here
     return change, second
 

@@ -12,16 +12,18 @@ from __future__ import annotations
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace
 from functools import cached_property, lru_cache
+from itertools import chain
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
+from kinetruss.elements.caching import keep
 from kinetruss.errors import InputError
 from kinetruss.gradients.differences import FOUR
-from kinetruss.gradients.nearness import Near, near_nodes, parts_of
-from kinetruss.io.values import changed, fitting, number_at, resolved
+from kinetruss.gradients.nearness import Near, near_nodes, parts_of, sites
+from kinetruss.io.values import changed, fitting, number_at, origin, resolved
 from kinetruss.mechanics import System, compile
-from kinetruss.mechanics.numbers import numbers_of, system_at
+from kinetruss.mechanics.numbers import numbers_of, system_at, system_of
 from kinetruss.mechanics.system import ByIdentity
 from kinetruss.model import Model
 
@@ -34,7 +36,7 @@ APART = 1e-14
 """Relative distance of the values by which numbers are told from each other."""
 TRIED = 1e-7
 """Step of the one other model that is compiled, as a fraction of a number or of its scale."""
-STEP = 2e-4
+STEP = 1e-4
 """Step of differences, as a fraction of a number or of its scale."""
 
 Wrt = Sequence[str | Sequence[str]]
@@ -45,7 +47,7 @@ class Varied:
     """names (K,) of the numbers; paths : of each, which all have its value; keys, as `resolved`. value, scale (K,): values, and
     what a change is compared with. system : the model with each of them in a place of its own, at these values. base, places :
     by name the numbers of the system that depend on them, at these values; their flat places, on which (K) they do, and how.
-    tried : the system of the model with all of them changed by trial (K,).
+    trial (K,) : a small change of all of them.
     """
 
     model: Model
@@ -58,7 +60,11 @@ class Varied:
     base: Mapping[str, NDArray[np.float64]]
     places: Mapping[str, tuple[NDArray[np.int64], NDArray[np.int64], NDArray[np.float64]]]
     trial: NDArray[np.float64]
-    tried: System
+
+    @cached_property
+    def tried(self) -> System:
+        """The system of the model with all of them changed by `trial`."""
+        return self.compiled(self.trial)
 
     def changed(self, change: NDArray[np.float64]) -> System:
         """The system with the numbers changed by (K,)."""
@@ -112,9 +118,17 @@ def varied(model: Model, wrt: Wrt) -> Varied:
     return _varied(ByIdentity(model), tuple(one if isinstance(one, str) else tuple(one) for one in wrt))
 
 
+_last: dict[tuple[ByIdentity, Any], Varied] = {}
+"""What was found last, by the `origin` of its model and by `wrt`."""
+
+
 @lru_cache(maxsize=4)
 def _varied(key: ByIdentity, wrt: tuple[str | tuple[str, ...], ...]) -> Varied:
-    model = key.model
+    model, (first, other) = key.model, origin(key.model)
+    known = ByIdentity(first), wrt
+    alike = known in _last and other <= set(chain.from_iterable(_last[known].keys))
+    if alike and (found := _moved(_last[known], model)) is not None:
+        return found
     groups = [group for one in wrt for group in _groups(model, one)]
     if not groups:
         raise InputError("No number is named by which to differentiate. Give paths, such as 'bars.M1.section.area'.")
@@ -128,7 +142,37 @@ def _varied(key: ByIdentity, wrt: tuple[str | tuple[str, ...], ...]) -> Varied:
     scale = _scales(model, keys, value)
     trial = TRIED * scale * np.random.default_rng(1).uniform(0.5, 1.0, len(scale))
     system, base, places, tried = _placed(model, keys, value, scale, trial)
-    return Varied(model, names, tuple(map(tuple, groups)), keys, value, scale, system, base, places, trial, tried)
+    found = Varied(model, names, tuple(map(tuple, groups)), keys, value, scale, system, base, places, trial)
+    vars(found)["tried"] = tried
+    if other <= set(flat):
+        _last.pop(known, None)
+        _last[known] = found
+        for oldest in list(_last)[:-4]:
+            _last.pop(oldest, None)
+    return found
+
+
+def _moved(known: Varied, model: Model) -> Varied | None:
+    """The same numbers of a model that differs in them alone; None if they do not all stand in it as they are, or it has other
+    parts.
+    """
+    value = np.array([_value(model, group, own) for group, own in zip(known.paths, known.keys, strict=True)])
+    copied = all((slope == 1.0).all() for _, _, slope in known.places.values())
+    if not copied or not (value * known.value).all():
+        return None
+    base = {name: own.copy() for name, own in known.base.items()}
+    for name, (flat, which, _) in known.places.items():
+        base[name].reshape(-1)[flat] = value[which]
+    if (system := system_of(known.system, base, model)) is None:
+        return None
+    scale = _scales(model, known.keys, value)
+    found = replace(
+        known, model=model, value=value, scale=scale, system=system, base=base, trial=known.trial / known.scale * scale
+    )
+    for one in (parts_of, sites):  # by names alone
+        keep(one, system, one(known.system))
+    vars(found).update({name: getattr(known, name) for name in ("kinds", "of_records", "near")})
+    return found
 
 
 def _groups(model: Model, one: str | Sequence[str]) -> list[list[str]]:

@@ -5,6 +5,7 @@ from __future__ import annotations
 import importlib
 from collections.abc import Mapping
 from dataclasses import replace
+from functools import cache
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
@@ -22,8 +23,14 @@ AXES = "xyz"
 
 def fields(record: Record) -> dict[str, Any]:
     """The given fields of a record by name, including its kind; values are not converted."""
-    given = {name: getattr(record, name) for name in type(record).model_fields if name in record.model_fields_set}
-    return {"kind": record.kind, **given} if "kind" in type(record).model_fields else given  # type: ignore[attr-defined]
+    names, own = _fields_of(type(record)), record.model_fields_set
+    given = {name: getattr(record, name) for name in names if name in own}
+    return {"kind": record.kind, **given} if "kind" in names else given  # type: ignore[attr-defined]
+
+
+@cache
+def _fields_of(kind: type[Record]) -> tuple[str, ...]:
+    return tuple(kind.model_fields)
 
 
 def merged(model: Model, over: Mapping[str, Any]) -> dict[str, Any]:

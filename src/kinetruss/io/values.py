@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 from contextlib import suppress
 from dataclasses import dataclass, replace
-from typing import Any
+from typing import Any, cast
 
 from kinetruss.errors import Fault, InputError, ModelError, UnitError, few
 from kinetruss.io.library_models import fields
@@ -65,19 +65,36 @@ def set_values(model: Model, settings: Mapping[str, Any]) -> Model:
 
 def changed(model: Model, settings: Iterable[tuple[Keys, Any]]) -> Model:
     """`set_values` with paths as they are `resolved`, and values that are no text."""
-    settings, recipe = list(settings), model.recipe
-    of_recipe: dict[str | int, Any] = {}
+    settings, recipe, first = list(settings), model.recipe, origin(model)
+    parameters: dict[str | int, Any] = {}
     changes: dict[str | int, Any] = {}
     for keys, value in settings:
-        is_parameter = recipe is not None and keys[0] == recipe.name
-        _noted(of_recipe if is_parameter else changes, keys[1:] if is_parameter else keys, _New(value))
-    if recipe is None:
-        return Model(**_changed(model, model, changes))
-    if of_recipe:
-        built = recipe.build({**recipe.parameters, **_below(model, recipe.all, of_recipe)})
-        model, recipe = changed(built, recipe.changes), replace(recipe, parameters=built.recipe.parameters)  # type: ignore[union-attr]
-    own = tuple((keys, value) for keys, value in settings if keys[0] != recipe.name)
-    return recipe.noted(Model(**_changed(model, model, changes)) if own else model, own)
+        if recipe is not None and keys[0] == recipe.name:
+            _noted(parameters, keys[1:], _New(value))
+        else:
+            _noted(changes, keys, _New(value))
+    if recipe is not None and parameters:
+        built = recipe.build({**recipe.parameters, **_below(model, recipe.all, parameters)})
+        model = changed(built, recipe.changes) if recipe.changes else built
+        recipe = replace(recipe, parameters=cast("Recipe", built.recipe).parameters)
+    found = Model(**_changed(model, model, changes)) if changes or not parameters else model
+    if recipe is not None:
+        recipe.noted(found, tuple((keys, value) for keys, value in settings if keys[0] != recipe.name))
+    found.__dict__["origin"] = first[0], first[1].union(keys for keys, _ in settings)
+    return found
+
+
+def origin(model: Model) -> tuple[Model, frozenset[Keys]]:
+    """The model from which another came by `changed` alone, and the keys of what is not as there; of others itself and none.
+
+    >>> import kinetruss as kt
+    >>> model = kt.library.mechanisms.four_bar()
+    >>> first, keys = origin(set_value(set_value(model, "nodes.B.mass", 1), "nodes.B.mass", 2))
+    >>> first is model, list(keys)
+    (True, [('nodes', 'B', 'mass')])
+    """
+    found: tuple[Model, frozenset[Keys]] = model.__dict__.get("origin", (model, frozenset()))
+    return found
 
 
 @dataclass(frozen=True, slots=True)
@@ -129,8 +146,8 @@ def resolved(model: Model, path: str) -> Keys:
             here = here[key]
             continue
         record, here = here, within(model, here, str(key)) if rest else getattr(here, str(key))
-        refs = [ref for ref, _, place in names_in(record) if place == (key,)] if rest and isinstance(here, str) else []
-        if refs and (home := [table for table in refs[0].tables if here in getattr(model, table)]):
+        named = [one for one, _, place in names_in(record) if place == (key,)] if rest and isinstance(here, str) else []
+        if named and (home := [table for table in named[0].tables if here in getattr(model, table)]):
             keys, here = [home[0], here], getattr(model, home[0])[here]
     return tuple(keys)
 

@@ -147,10 +147,7 @@ def member_tangents(
     _, slope, damping, _ = bar_laws(system, L, Ld)
     outer, H = u[:, :, None] * u[:, None, :], length_hessians(u, L)
     # dN/dL u u^T + N/L (1 - u u^T): material and geometric stiffness
-    k = slope[:, None, None] * outer + tension[:, None, None] * H
-    if np.any(torque):
-        # geometric stiffness of the transverse forces that a torque makes
-        k -= (torque / L)[:, None, None] * angle_hessians(u, L)
+    k = slope[:, None, None] * outer + _geometric(u, L, tension, torque)
     if np.any(damping) and np.any(dv):
         # c L' u: L' changes with the direction
         k += damping[:, None, None] * u[:, :, None] * np.einsum("mij,mj->mi", H, dv)[:, None, :]
@@ -165,6 +162,24 @@ def member_tangents(
     K = _assembled(system, k6)
     C = _assembled(system, c6) if np.any(damping) or len(turning) else csr_array(K.shape)
     return K, C
+
+
+def geometric_stiffness(
+    system: System, x: NDArray[np.float64], tension: NDArray[np.float64], torque: NDArray[np.float64]
+) -> Any:
+    """The part (3 n, 3 n), N/m, of the stiffness of members that their axial forces (m,), N, and torques, N m, make."""
+    _, L, u = ends_of(system, x)
+    k = _geometric(u, L, tension, torque)
+    return _assembled(system, _blocks(k, -k, -k, k))
+
+
+def _geometric(
+    u: NDArray[np.float64], L: NDArray[np.float64], tension: NDArray[np.float64], torque: NDArray[np.float64]
+) -> NDArray[np.float64]:
+    k: NDArray[np.float64] = tension[:, None, None] * length_hessians(u, L)
+    if np.any(torque):  # of the transverse forces that it makes
+        k -= (torque / L)[:, None, None] * angle_hessians(u, L)
+    return k
 
 
 def turning_members(system: System) -> NDArray[np.int64]:

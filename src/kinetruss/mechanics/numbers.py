@@ -19,17 +19,19 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from kinetruss.elements.caching import cached
+from kinetruss.elements.caching import cached, keep
 from kinetruss.elements.kinds import ELEMENTS
 from kinetruss.elements.numbers import Numbers
 from kinetruss.errors import AnalysisError
 from kinetruss.mechanics.gathered import Joined, arrays_at, gathered
 from kinetruss.mechanics.loads import case_loads, unit_loads_of
-from kinetruss.mechanics.system import System
+from kinetruss.mechanics.system import System, compile
 from kinetruss.mechanics.tables import elements
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray
+
+    from kinetruss.model import Model
 
 
 @cached()
@@ -51,10 +53,37 @@ def system_at(system: System, changes: Mapping[str, NDArray[Any]]) -> System:
     given = {name: np.asarray(changes[name]) if name in changes else one for name, one in own.items()}
     if unknown := set(changes) - set(own):
         raise AnalysisError(f"The model has no numbers called {', '.join(sorted(unknown))}. It has: {', '.join(own)}.")
+    if all(one.shape == own[name].shape and one.dtype == float for name, one in given.items()):
+        return replace(system, **arrays_at(joined, Numbers(given)))
     lead = np.broadcast_shapes(*(one.shape[: one.ndim - own[name].ndim] for name, one in given.items()))
     kind: Any = complex if any(np.iscomplexobj(one) for one in given.values()) else float
     every = {name: np.broadcast_to(one, (*lead, *own[name].shape)).astype(kind) for name, one in given.items()}
     return replace(system, **arrays_at(joined, Numbers(every, lead, kind)))
+
+
+def system_of(system: System, changes: Mapping[str, NDArray[np.float64]], model: Model) -> System | None:
+    """The System of a model which is that of another but for these numbers, with each of them in its place as in the other;
+    None if its arrays are not those of the model compiled by itself.
+    """
+    joined, own = _gathered(system)
+    found, by_itself = replace(system_at(system, changes), given=model, model=model.whole), compile(model)
+    keep(_gathered, found, (joined, Numbers({**own, **changes})))
+    one, other = _own_arrays(found), _own_arrays(by_itself)
+    same = (found.nodes, found.members, found.measures) == (by_itself.nodes, by_itself.members, by_itself.measures)
+    alike = same and one.keys() == other.keys() and all(_alike(one[name], other[name]) for name in one)
+    return found if alike and found.continua is None else None
+
+
+def _own_arrays(system: System) -> dict[str, NDArray[Any]]:
+    found = {one.name: getattr(system, one.name) for one in fields(system)} | system.element_numbers | system.load_numbers
+    return {name: one for name, one in found.items() if isinstance(one, np.ndarray)}
+
+
+def _alike(one: NDArray[Any], other: NDArray[Any]) -> bool:
+    if one.shape != other.shape or one.dtype.kind != "f":
+        return bool(np.array_equal(one, other))
+    size = np.nanmax(np.abs(one), initial=0.0)
+    return bool(np.allclose(one, other, rtol=1e-10, atol=1e-12 * size if np.isfinite(size) else 0.0, equal_nan=True))
 
 
 def tables_at(system: System, changes: Mapping[str, NDArray[Any]]) -> dict[str, NDArray[Any]]:

@@ -12,7 +12,7 @@ from kinetruss.elements.kinds import present
 from kinetruss.errors import AnalysisError, InputError
 from kinetruss.mechanics import compile, constraint_jacobian, ends_of
 from kinetruss.mechanics.balance import Balance, balance_of, measure_forces, row_tensions, sum_stiffness
-from kinetruss.mechanics.matrices import bar_laws, member_tangents
+from kinetruss.mechanics.matrices import bar_laws, geometric_stiffness
 from kinetruss.mechanics.rows import null_basis
 from kinetruss.model import Model
 from kinetruss.results import Result, provenance, variable
@@ -134,10 +134,7 @@ def of_load(
     _, L, u = ends_of(system, x)
     added = bar_laws(system, L).slope * np.einsum("mc,mc->m", u, moved[system.q] - moved[system.p])
     tension, torque = row_tensions(system, x, N)
-    none = np.zeros_like(L)
-    still = np.zeros(3)
-    loaded = member_tangents(system, x, added + tension, torque, still)[0]
-    geometric = loaded - member_tangents(system, x, none, none, still)[0]
+    geometric = geometric_stiffness(system, x, added + tension, torque)
     for one, record in present(system):
         if one.geometric is not None:
             geometric = geometric + one.geometric(system, record, x, moved)
