@@ -139,3 +139,27 @@ def test_folding_array():
     hit = kt.dynamics.simulate(free, 4.2, samples=2101)
     deepest = -kt.kinematics.quantities(free, hit).value.sel(quantity="root_angle").values.min()
     assert deepest == pytest.approx(push, rel=3e-4)
+
+
+def test_balanced_arm():
+    """The task beside the model finds its springs, rounded; without them the motors are too small."""
+    run = ran("balanced_arm", 31)
+    bars = {name: bar for name, bar in run.model.bars.items() if bar.kind != "elastic"}
+    bare = kt.run(run.model.with_(bars=bars, quantities={}))
+    for one, state in ((run, "ok"), (bare, "over")):
+        assert one.finding.state == state
+        peak = max(np.abs(forces.drive_force).max().item() for forces in one.forces.values())
+        rows = [row for demand in one.demand.values() for row in demand.table() if row.rule == "rms current"]
+        current = max(row.utilisation for row in rows)
+        assert f"{peak:.1f} N m" in said("balanced_arm")
+        assert f"{100 * current:.0f} %" in said("balanced_arm")
+    _, task = kt.library.example_files()["balanced_arm"]
+    found = kt.design.optimise(None, kt.io.read_optimum(task))
+    assert found.certificate.first_order
+    for name in ("shoulder_spring", "elbow_spring"):
+        assert run.model.bars[name].stiffness == pytest.approx(found.model.bars[name].stiffness, rel=0.01)
+        assert run.model.bars[name].natural_length == pytest.approx(found.model.bars[name].natural_length, rel=1e-6)
+    for node in "SKBC":
+        np.testing.assert_allclose(run.model.nodes[node].at, found.model.nodes[node].at, atol=2e-3)
+    loaded, empty = (np.abs(forces.drive_force).max().item() for forces in kt.run(found.model).forces.values())
+    assert loaded == pytest.approx(empty, rel=0.01)
