@@ -13,7 +13,8 @@ import kinetruss as kt
 
 pytestmark = pytest.mark.slow
 
-PAGE = (Path(__file__).parents[2] / "docs" / "examples.md").read_text(encoding="utf-8")
+DOCS = Path(__file__).parents[2] / "docs"
+PAGE, OPTIMUM = ((DOCS / name).read_text(encoding="utf-8") for name in ("examples.md", "optimum.md"))
 g = 9.81
 
 
@@ -122,6 +123,27 @@ def test_press():
     assert f"{press:.1f} kN" in said("press")
     assert f"{torque[-1]:.0f} N m" in said("press")
     assert run.finding.state == "ok"
+
+
+def test_press_with_another_crank():
+    """The task beside the model: stroke and work stay, k s^2/2 of the workpiece, and the peak of the torque falls."""
+    _, task = kt.library.example_files()["press"]
+    found = kt.design.optimise(None, kt.io.read_optimum(task))
+    peak, turned = {}, {}
+    for word, model in (("before", kt.read(kt.library.example_files()["press"][0])), ("after", found.model)):
+        run = kt.run(model)
+        height = run.motion.position.sel(node="R", axis="y").values
+        assert (height[0], height[-1]) == pytest.approx((9.1e-3, 0.83e-3), abs=2e-5)
+        torque = run.forces["all"].drive_force.sel(drive="motor").values
+        angle = run.motion.drive_position.sel(drive="motor").values
+        assert np.trapezoid(torque, angle) == pytest.approx(25e6 * (2e-3 - height[-1]) ** 2 / 2, rel=0.01)
+        peak[word], turned[word] = torque.max(), np.ptp(angle[height < 2e-3])
+        assert run.finding.state == "ok"
+    assert found.certificate.first_order
+    assert f"needs {peak['before']:.0f} N m" in OPTIMUM
+    assert f"to {peak['after']:.0f} N m, by {100 * (1 - peak['after'] / peak['before']):.0f} %" in OPTIMUM
+    assert f"{turned['after']:.2f} rad of the turn" in OPTIMUM
+    assert f"in {turned['before']:.2f} rad" in OPTIMUM
 
 
 def test_folding_array():
