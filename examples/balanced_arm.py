@@ -18,7 +18,7 @@ run = kt.run(model)
 rest = run.forces["loaded"].static.drive_force
 potential = 9.81 * 8 * run.motion.position.sel(node="T", axis="y").values
 density = kt.library.materials.ALUMINIUM_6061_T6.density
-for name, bar in model.bars.items():
+for bar in model.bars.values():
     ends = run.motion.position.sel(node=list(bar.ends)).values
     long = np.linalg.norm(ends[:, 1] - ends[:, 0], axis=1)
     if bar.kind == "elastic":

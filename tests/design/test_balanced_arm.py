@@ -1,4 +1,4 @@
-"""An arm balanced by springs: ideal springs balance it exactly, in closed form; real ones as the shipped example says."""
+"""An arm balanced by springs: the optimum finds ideal springs that balance it exactly, in closed form."""
 
 import numpy as np
 import pytest
@@ -10,7 +10,7 @@ UPPER, ROD, FORE = 3.0, 1.0, 2.0
 
 
 def balanced() -> kt.Model:
-    """Two bars in series; a rod keeps the head R E K of the elbow upright; springs without free length from S to E, from K to T."""
+    """Two bars in series; a rod keeps the head of the elbow upright; springs without free length from S to E, from K to T."""
 
     def ideal(a: str, b: str) -> kt.Spring:
         return kt.Spring(coordinate={"kind": "distance", "nodes": (a, b)}, stiffness=500.0, rest=0.0)
@@ -50,9 +50,7 @@ def test_ideal_springs_balance_the_arm():
     )
     value = found.values
     # what turns with the upper arm carries head, forearm and load at E; half of the rod hangs at R
-    assert value["lower"] * value["post"] * L1 == pytest.approx(
-        g * (UPPER / 2 + ROD / 2 + FORE + LOAD) * L1, rel=1e-4
-    )
+    assert value["lower"] * value["post"] * L1 == pytest.approx(g * (UPPER / 2 + ROD / 2 + FORE + LOAD) * L1, rel=1e-4)
     assert value["higher"] * value["head"] * L2 == pytest.approx(g * (FORE / 2 + LOAD) * L2, rel=1e-4)
     before, after = (
         np.abs(kt.dynamics.inverse(one, kt.kinematics.follow(one, "bend", samples=41)).drive_force).max().item()

@@ -24,7 +24,8 @@ def example_files() -> dict[str, tuple[Path, ...]]:
             continue
         text = model.read_text(encoding="utf-8")
         tables = (table for table in sorted(FOLDER.glob("*.csv")) if table.name in text)
-        found[model.stem] = (model, *tables, *(task for part in COMPANIONS for task in sorted(FOLDER.glob(f"{model.stem}{part}*"))))
+        tasks = (task for part in COMPANIONS for task in sorted(FOLDER.glob(f"{model.stem}{part}*")))
+        found[model.stem] = (model, *tables, *tasks)
     return found
 
 
