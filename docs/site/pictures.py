@@ -29,8 +29,6 @@ EXAMPLE: dict[str, dict[str, Any]] = {
     "mast": {"at": (0, 0.5, 1), "width": 110},
     "planar_crane": {"at": (0, 0.5, 1), "width": 90, "paths": ["B8.N3"]},
     "facade": {"at": (0, 1), "width": 90, "case": "wind"},
-    "serpentine_arm": {"at": (0, 0.25, 0.6), "width": 110},
-    "opposed_trusses": {"at": (1,), "width": 110, "ghost": True},
     "wind_tower": {"at": (1,), "width": 90, "colour": "force"},
     "docking": {"at": (0, 0.85, 1), "width": 90, "case": "latching"},
     "space_crane": {"run": "lift", "at": (0, 1), "width": 90, "paths": ["B5.N8"], "colour": "force"},

@@ -31,7 +31,7 @@ def test_models_to_begin_with_are_the_examples_and_the_mechanisms_of_the_library
     assert set(kt.library.example_files()) <= set(every)
     for name in ("slider_crank", "watt_six_bar"):
         assert name in every
-    assert offered("examples", "double_oct") == ["double_octahedral_fast", "double_octahedral_slew"]
+    assert offered("examples", "double_oct") == ["double_octahedral_slew"]
 
 
 def test_quantities_are_those_that_are_drawn():

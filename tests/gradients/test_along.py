@@ -315,3 +315,19 @@ def test_what_has_no_gradient_is_refused():
         kt.gradient(kt.Response("max(energy)", kt.run, simulated), ["nodes.A.mass"])
     with pytest.raises(InputError, match="does not have"):
         kt.gradient(kt.Response("max(nothing)", kt.run, model), ["nodes.A.mass"])
+
+
+def test_a_strut_past_its_buckling_load_is_named():
+    """Its utilisation as a beam-column is infinite: refused, with what to do; below that load it has a gradient."""
+    model = kt.Model(
+        nodes={"O": (0, 0), "A": (2.0, 0)}, fixed=["O"], bars={"strut": ("O", "A")}, section=kt.Rod(diameter=0.01),
+        material="steel_s235", drives={"motor": kt.AngleDrive("strut")}, gravity=(0, -9.81),
+        loads={"push": kt.NodalForce(node="A", force=(-100.0, 0))},
+        runs={"turn": kt.Run(trajectory=kt.Quintic(moves={"motor": (0, 0.1)}, duration=1.0), samples=5)},
+    )  # fmt: skip
+    used = kt.Response("first(utilisation[strut, beam-column])", kt.run, model, run="turn")
+    assert kt.check_gradient(used, ["loads.push.force.0"]).error < 1e-8
+    euler = np.pi**2 * kt.library.materials.STEEL_S235.E * np.pi * 0.01**4 / 64 / 2.0**2
+    past = kt.io.set_values(model, {"loads.push.force.0": -1.1 * euler})
+    with pytest.raises(AnalysisError, match="infinite at an instant"):
+        kt.gradient(kt.Response("first(utilisation[strut, beam-column])", kt.run, past, run="turn"), ["loads.push.force.0"])

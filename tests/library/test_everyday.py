@@ -13,7 +13,8 @@ import kinetruss as kt
 
 pytestmark = pytest.mark.slow
 
-PAGE = (Path(__file__).parents[2] / "docs" / "examples.md").read_text(encoding="utf-8")
+DOCS = Path(__file__).parents[2] / "docs"
+PAGE, OPTIMUM = ((DOCS / name).read_text(encoding="utf-8") for name in ("examples.md", "optimum.md"))
 g = 9.81
 
 
@@ -124,6 +125,27 @@ def test_press():
     assert run.finding.state == "ok"
 
 
+def test_press_with_another_crank():
+    """The task beside the model: stroke and work stay, k s^2/2 of the workpiece, and the peak of the torque falls."""
+    _, task = kt.library.example_files()["press"]
+    found = kt.design.optimise(None, kt.io.read_optimum(task))
+    peak, turned = {}, {}
+    for word, model in (("before", kt.read(kt.library.example_files()["press"][0])), ("after", found.model)):
+        run = kt.run(model)
+        height = run.motion.position.sel(node="R", axis="y").values
+        assert (height[0], height[-1]) == pytest.approx((9.1e-3, 0.83e-3), abs=2e-5)
+        torque = run.forces["all"].drive_force.sel(drive="motor").values
+        angle = run.motion.drive_position.sel(drive="motor").values
+        assert np.trapezoid(torque, angle) == pytest.approx(25e6 * (2e-3 - height[-1]) ** 2 / 2, rel=0.01)
+        peak[word], turned[word] = torque.max(), np.ptp(angle[height < 2e-3])
+        assert run.finding.state == "ok"
+    assert found.certificate.first_order
+    assert f"needs {peak['before']:.0f} N m" in OPTIMUM
+    assert f"to {peak['after']:.0f} N m, by {100 * (1 - peak['after'] / peak['before']):.0f} %" in OPTIMUM
+    assert f"{turned['after']:.2f} rad of the turn" in OPTIMUM
+    assert f"in {turned['before']:.2f} rad" in OPTIMUM
+
+
 def test_folding_array():
     """Without dampers the springs' energy E goes into the stop: (K + k (1 + 4 + 4)) f^2/2 - M (1 + 2 + 2) f = E."""
     run = ran("folding_array", 1201)
@@ -139,3 +161,27 @@ def test_folding_array():
     hit = kt.dynamics.simulate(free, 4.2, samples=2101)
     deepest = -kt.kinematics.quantities(free, hit).value.sel(quantity="root_angle").values.min()
     assert deepest == pytest.approx(push, rel=3e-4)
+
+
+def test_balanced_arm():
+    """The task beside the model finds its springs, rounded; without them the motors are too small."""
+    run = ran("balanced_arm", 31)
+    bars = {name: bar for name, bar in run.model.bars.items() if bar.kind != "elastic"}
+    bare = kt.run(run.model.with_(bars=bars, quantities={}))
+    for one, state in ((run, "ok"), (bare, "over")):
+        assert one.finding.state == state
+        peak = max(np.abs(forces.drive_force).max().item() for forces in one.forces.values())
+        rows = [row for demand in one.demand.values() for row in demand.table() if row.rule == "rms current"]
+        current = max(row.utilisation for row in rows)
+        assert f"{peak:.1f} N m" in said("balanced_arm")
+        assert f"{100 * current:.0f} %" in said("balanced_arm")
+    _, task = kt.library.example_files()["balanced_arm"]
+    found = kt.design.optimise(None, kt.io.read_optimum(task))
+    assert found.certificate.first_order
+    for name in ("shoulder_spring", "elbow_spring"):
+        assert run.model.bars[name].stiffness == pytest.approx(found.model.bars[name].stiffness, rel=0.01)
+        assert run.model.bars[name].natural_length == pytest.approx(found.model.bars[name].natural_length, rel=1e-6)
+    for node in "SKBC":
+        np.testing.assert_allclose(run.model.nodes[node].at, found.model.nodes[node].at, atol=2e-3)
+    loaded, empty = (np.abs(forces.drive_force).max().item() for forces in kt.run(found.model).forces.values())
+    assert loaded == pytest.approx(empty, rel=0.01)

@@ -8,9 +8,7 @@ import kinetruss as kt
 NAMES = (
     "facade",
     "mast",
-    "opposed_trusses",
     "planar_crane",
-    "serpentine_arm",
     "slewing_experiments",
     "space_crane",
     "wind_tower",

@@ -235,6 +235,11 @@ class Instants:
         read, equations = self._both(self.model, self.base)
         wanted = np.concatenate([self.along[name].values[self.at].reshape(len(self.at), -1) for name in self.names], axis=1)
         used = np.abs(self.weight).max(axis=0) > 0
+        if np.isinf(wanted[used]).any():
+            raise AnalysisError(
+                f"{few(self.names, 4)} is infinite at an instant, as the utilisation of a strut at its buckling load is, so it "
+                "has no gradient. Keep variables where no member buckles, or limit member_force/buckling_load: it stays finite."
+            )
         off, scale = np.abs(read - wanted)[used].max(initial=0.0), np.abs(wanted[used]).max(initial=0.0)
         rows, free, rest = len(self.rows.row_member), len(self.rows.free), np.abs(equations()).max(axis=0)
         sizes = self._sizes()
