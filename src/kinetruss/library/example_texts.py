@@ -5,8 +5,8 @@ from __future__ import annotations
 from pathlib import Path
 
 FOLDER = Path(__file__).parent / "examples"
-MISSION = ".mission."
-"""Part of the names of mission files, between the name of the model and the suffix."""
+COMPANIONS = (".mission.", ".optimum.", ".study.")
+"""Parts of the names of files that go with a model, between its name and the suffix."""
 SCHEMA = "# yaml-language-server: $schema="
 """Start of the first line of every example: editors complete and check the file by the schema that it names."""
 
@@ -20,11 +20,12 @@ def example_files() -> dict[str, tuple[Path, ...]]:
     """
     found = {}
     for model in sorted(FOLDER.glob("*.yaml")):
-        if MISSION in model.name:
+        if any(one in model.name for one in COMPANIONS):
             continue
         text = model.read_text(encoding="utf-8")
         tables = (table for table in sorted(FOLDER.glob("*.csv")) if table.name in text)
-        found[model.stem] = (model, *tables, *sorted(FOLDER.glob(f"{model.stem}{MISSION}*")))
+        companions = (file for one in COMPANIONS for file in sorted(FOLDER.glob(f"{model.stem}{one}*")))
+        found[model.stem] = (model, *tables, *companions)
     return found
 
 
