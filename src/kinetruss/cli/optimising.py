@@ -31,18 +31,20 @@ def optimise(task: Path, out: Path | None, overwrite: bool, as_json: bool, quiet
     interrupted; 2: wrong usage, or faults of the file.
     """
     from kinetruss.errors import InputError, ModelError
-    from kinetruss.io import read, read_optimum
+    from kinetruss.io import read_optimum
     from kinetruss.io.optima import placed_in
 
     asked = read_optimum(task, max_size=max_size)
     if asked.model is None:
         raise InputError(f"{task} names no model. Add model: FILE.")
-    model = read(asked.model, max_size=max_size)
     from kinetruss import design
+    from kinetruss.design.optimal_design import model_for
+
+    model = model_for(asked, asked.model, max_size)
 
     with bar(quiet or as_json, "analyses") as shown:
         try:
-            found = design.optimise(model, asked, out=out, overwrite=overwrite, progress=_progress(shown))
+            found = design.optimise(model, asked.with_(set={}), out=out, overwrite=overwrite, progress=_progress(shown))
         except ModelError as error:
             raise ModelError(placed_in(task, error.faults), str(task)) from None
     if as_json:
@@ -51,6 +53,8 @@ def optimise(task: Path, out: Path | None, overwrite: bool, as_json: bool, quiet
         click.echo(found.text)
         if out is not None:
             click.echo(f"The model with these values is in {out / 'optimum.yaml'}.")
+            if found.listed is not None:
+                click.echo(f"With parts of the catalogues it is in {out / 'listed.yaml'}.")
     certified = found.certificate.first_order or found.relaxed is not None
     if found.state or not certified:
         raise click.exceptions.Exit(1)

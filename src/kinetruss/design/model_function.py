@@ -11,7 +11,7 @@ import numpy as np
 
 from kinetruss.design.limit_rows import Block, LimitRows
 from kinetruss.design.optimum.problem import Problem, Variable
-from kinetruss.design.own_limits import NAMES, beside, slopes
+from kinetruss.design.own_limits import NAMES, beside, names_of, slopes
 from kinetruss.design.vibration_point import VibrationPoint
 from kinetruss.errors import Fault, InputError, ModelError
 from kinetruss.gradients import Entries, read_entries
@@ -52,12 +52,16 @@ class _Asked:
 class ModelFunction:
     """The `Function` of a task: rows of limits in the order of the task, its load cases, entries, sides.
 
-    paths : of each variable. problem : with variables and limits for the solvers.
+    parts : paths with one value: the index of their variable, the factor, the paths. problem : for the solvers.
     """
 
     def __init__(self, model: Model, task: OptimumTask) -> None:
         self.model, self.task = model, task
-        self.paths, variables = _variables(model, task)
+        self.parts, variables = _variables(model, task)
+        self.factors = np.zeros((len(self.parts), len(variables)))
+        """Derivatives of the values of `parts` by the variables."""
+        for i, (k, factor, _) in enumerate(self.parts):
+            self.factors[i, k] = factor
         self.own = [one.name for one in variables].index(task.least) if task.least in task.variables else None
         """The variable that is itself made small."""
         self.unit = "" if self.own is None else variables[self.own].unit
@@ -72,7 +76,8 @@ class ModelFunction:
 
     def model_at(self, p: NDArray[np.float64]) -> Model:
         """The model with these values of the variables."""
-        return set_values(self.model, {path: float(one) for own, one in zip(self.paths, p, strict=True) for path in own})
+        values = {path: float(factor * p[k]) for k, factor, paths in self.parts for path in paths}
+        return set_values(self.model, values)
 
     def limits_at(self, p: NDArray[np.float64]) -> LimitRows:
         """The limits with the names of what they are on at these values of the variables."""
@@ -85,7 +90,7 @@ class ModelFunction:
 
     def gradients(self, p: NDArray[np.float64], rows: NDArray[np.int64]) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
         """Derivatives of both by the variables, in SI."""
-        by = varied(self.model_at(p), self.paths)
+        by = varied(self.model_at(p), [paths for _, _, paths in self.parts])
         slope = np.zeros((len(rows), len(p)))
         of_objective = np.array([float(k == self.own) for k in range(len(p))])
         for j, asked in enumerate(self.asked):
@@ -118,12 +123,12 @@ class ModelFunction:
         found = np.zeros((len(seeds), len(p)))
         if some := [k for k, seed in enumerate(own) if seed]:
             chosen = [own[k] for k in some]
-            found[some] = point.gradients(by, chosen) if hasattr(point, "gradients") else gradients_at(point, by, chosen)
+            slope = point.gradients(by, chosen) if hasattr(point, "gradients") else gradients_at(point, by, chosen)
+            found[some] = slope @ self.factors
         if any(name in seed for seed in seeds for name in NAMES):
             variables = self.problem.variables
             step = STEP * np.array([abs(at) or one.upper - one.lower for at, one in zip(p, variables, strict=True)])
-            members = [str(name) for name in data["member"].values]
-            for name, slope in slopes(self.model_at, p, members, step).items():
+            for name, slope in slopes(self.model_at, p, names_of(data), step).items():
                 for k, seed in enumerate(seeds):
                     if name in seed:
                         found[k] += np.nan_to_num(seed[name]) @ np.nan_to_num(slope)
@@ -151,15 +156,37 @@ class ModelFunction:
     def _entries(self, p: NDArray[np.float64]) -> list[list[Entries]]:
         key = p.tobytes()
         if self._last is None or self._last[0] != key:
-            model = self.model_at(p)
-            system, found = compile(model), []
-            for asked in self.asked:
-                point = _analysed(asked, system)
-                data = point.data()
-                more = _more(point, model, data)
-                found.append([_read(name, text, data, more) for name, text in asked.texts])
-            self._last = (key, found)
+            self._last = (key, self._results(self.model_at(p)))
         return self._last[1]
+
+    def _results(self, model: Model) -> list[list[Entries]]:
+        system, found = compile(model), []
+        for asked in self.asked:
+            point = _analysed(asked, system)
+            data = point.data()
+            more = _more(point, model, data)
+            found.append([_read(name, text, data, more) for name, text in asked.texts])
+        return found
+
+    def judged(self, model: Model) -> tuple[float, float, str]:
+        """Of this model with other parts: the objective (NaN if it is a variable that is gone with the part), the largest
+        excess of a limit, and its name.
+        """
+        found = self._results(model)
+        limits = self.limits.at(found)
+        excess = limits.excess(found)
+        worst = int(excess.argmax()) if len(excess) else -1
+        name = limits[worst].subject if len(excess) else ""
+        return self._of_parts(model, found), float(excess[worst]) if len(excess) else -np.inf, name
+
+    def _of_parts(self, model: Model, found: list[list[Entries]]) -> float:
+        if self.own is None:
+            return self._objective(found, np.zeros(0))
+        path = next(paths[0] for k, _, paths in self.parts if k == self.own)
+        try:
+            return number_at(model, path, resolved(model, path))
+        except InputError:
+            return np.nan
 
     def _objective(self, found: list[list[Entries]], p: NDArray[np.float64]) -> float:
         if self.own is not None:
@@ -270,19 +297,26 @@ def _asked(model: Model, task: OptimumTask) -> list[_Asked]:
     return list(found.values())
 
 
-def _variables(model: Model, task: OptimumTask) -> tuple[list[list[str]], list[Variable]]:
-    """Paths and bounds of the variables; all faults at once."""
-    paths, found, faults = [], [], []
+Part = tuple[int, float, list[str]]
+"""Paths that have the value of the variable with this index, times the factor."""
+
+
+def _variables(model: Model, task: OptimumTask) -> tuple[list[Part], list[Variable]]:
+    """Parts and bounds of the variables; all faults at once."""
+    parts: list[Part] = []
+    found, faults = [], []
     owner: dict[tuple[str | int, ...], str] = {}
     for name, one in task.variables.items():
         try:
-            own = [path for pattern in one.of for path in fitting(model, pattern)]
-            for path in own:
+            k = len(found)
+            own: list[Part] = [(k, 1.0, [path for pattern in one.of for path in fitting(model, pattern)])]
+            own += [(k, factor, fitting(model, pattern)) for pattern, factor in one.multiples.items()]
+            for path in (path for _, _, paths in own for path in paths):
                 keys = resolved(model, path)
                 if owner.setdefault(keys, name) != name:
                     raise InputError(f"changes {path}, which {owner[keys]!r} changes too. Leave it out of one of them.")
-            paths.append(own)
             found.append(_variable(model, name, one, own))
+            parts += own
         except ModelError as error:
             faults += [
                 Fault(("variables", name, "of"), f"{fault.where}: {fault.message}", fault.mend) for fault in error.faults
@@ -291,15 +325,15 @@ def _variables(model: Model, task: OptimumTask) -> tuple[list[list[str]], list[V
             faults.append(Fault(("variables", name, "of"), str(error), ""))
     if faults:
         raise ModelError(faults)
-    return paths, found
+    return parts, found
 
 
-def _variable(model: Model, name: str, one: OptimumVariable, own: list[str]) -> Variable:
+def _variable(model: Model, name: str, one: OptimumVariable, own: list[Part]) -> Variable:
     """The bounds in SI; the model must take both."""
     low, high = one.between if one.between is not None else (min(one.choose or ()), max(one.choose or ()))
     for bound in (low, high):
-        set_values(model, dict.fromkeys(own, float(bound)))
-    values = [number_at(model, path, resolved(model, path)) for path in own]
+        set_values(model, {path: factor * float(bound) for _, factor, paths in own for path in paths})
+    values = [number_at(model, path, resolved(model, path)) for path in own[0][2]]
     start = float(one.start) if one.start is not None else float(np.mean(values))
     return Variable(name=name, lower=float(low), upper=float(high), start=float(np.clip(start, low, high)), scale=one.scale,
                     unit=unit_given(low) or "")  # fmt: skip

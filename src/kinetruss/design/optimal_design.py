@@ -5,6 +5,7 @@ from __future__ import annotations
 import time
 from collections.abc import Callable, Mapping, Sequence
 from contextlib import nullcontext
+from dataclasses import replace
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
@@ -18,9 +19,13 @@ from kinetruss.design.optimum.working_limits import ALL, NEAR, Found, optimum
 from kinetruss.design.optimum_folder import opened
 from kinetruss.design.optimum_result import Optimum, contradiction_words, made
 from kinetruss.design.section_choice import chosen
+from kinetruss.design.under_mission import listed, under
 from kinetruss.errors import AnalysisError, Fault, InputError, ModelError
-from kinetruss.io import read, read_optimum
-from kinetruss.model import Model, OptimumLimit, OptimumTask, OptimumVariable
+from kinetruss.io import read_optimum
+from kinetruss.io.values import fitting
+from kinetruss.io.yaml_text import MAX_SIZE
+from kinetruss.model import Mission, Model, OptimumLimit, OptimumTask, OptimumVariable
+from kinetruss.runs.variant_sets import Base
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray
@@ -34,6 +39,7 @@ def optimise(
     objective: str = "mass",
     constraints: Mapping[str, OptimumLimit | Mapping[str, Any]] | None = None,
     *,
+    mission: Mission | str | Path | None = None,
     out: str | Path | None = None,
     overwrite: bool = False,
     progress: Progress | None = None,
@@ -46,6 +52,8 @@ def optimise(
     model : a model or its file. variables : by name, each an `OptimumVariable` or its fields; or a whole `OptimumTask`, or the
         file of one, which then has objective and constraints.
     objective : the response that is made small, as of `kt.Response`. constraints : by name, each an `OptimumLimit`.
+    mission : a mission or its file; by default that of the task. Limits that name no analysis hold in all its runs and load
+        cases, with its safety factors; from what is found, `size` chooses parts of its catalogues (`Optimum.listed`).
     out : folder that keeps every analysis: the same task goes on there after a kill or Ctrl-C. overwrite : replace another one.
     progress : called with analyses, objective and the largest excess of a limit, of its size.
     options : the other fields of `OptimumTask`: analysis, arguments, load_cases, method, iterations, tolerance, starts, seed.
@@ -83,7 +91,10 @@ def optimise(
         if task.model is None:
             raise InputError("No model is given. Give one, or model: FILE in the task.")
         model = task.model
-    given = model if isinstance(model, Model) else read(model)
+    given = model_for(task, model)
+    mission = task.mission if mission is None else mission
+    if mission is not None:
+        given, task, mission = under(given, task, mission)
     began = time.monotonic()
     function = ModelFunction(given, task)
     if idle := function.idle(function.problem.start):
@@ -94,9 +105,20 @@ def optimise(
     with nullcontext() if out is None else opened(Path(out), given, task, overwrite=overwrite) as folder:
         asked = Evaluations(function.problem, None if folder is None else folder.evaluations, progress)
         result = _searched(function, asked, progress, began)
+        if mission is not None and result.certificate.feasible and not result.state:
+            result = _of_catalogues(function, result, mission)
         if folder is not None:
             folder.finish(result)
     return result
+
+
+def model_for(task: OptimumTask, model: Model | str | Path, max_size: int = MAX_SIZE) -> Model:
+    """The model of a task, or its file, with the values that the task sets."""
+    base = Base(model, max_size)
+    built = {path: value for path, value in task.set.items() if path.startswith("library.")}
+    plain = base.with_(built)
+    own = {path: value for pattern, value in task.set.items() if pattern not in built for path in fitting(plain, pattern)}
+    return base.with_(built | own)
 
 
 def _task(variables: Any, objective: str, constraints: Any, options: Mapping[str, Any]) -> OptimumTask:
@@ -149,6 +171,14 @@ def _searched(function: ModelFunction, asked: Evaluations, progress: Any, began:
         state = "interrupted" if proof is not None and proof.stopped == "interrupted" else state
     return made(function, asked, p, certificate(asked, p), state=state, notes=notes, proof=proof,
                 relaxed=relaxed if listed else None, seconds=time.monotonic() - began)  # fmt: skip
+
+
+def _of_catalogues(function: ModelFunction, found: Optimum, mission: Mission) -> Optimum:
+    """With parts of the catalogues of a mission, or the reason why they do not serve."""
+    try:
+        return replace(found, listed=listed(function, found.model, mission))
+    except AnalysisError as error:
+        return replace(found, notes=(*found.notes, f"The catalogues of the mission have no parts for it: {error}"))
 
 
 def _value(asked: Evaluations, found: Found | None) -> float:

@@ -4,6 +4,7 @@ OUT/optimum.json        which task this is (`task`, a hash), its state, and the 
 OUT/evaluations.jsonl   objective, excess and gradients at every point, a line as soon as it is known
 OUT/given.json          the model as it was given
 OUT/optimum.yaml        the model with the values found
+OUT/listed.yaml         the same with parts of the catalogues of a mission
 """
 
 from __future__ import annotations
@@ -25,6 +26,7 @@ if TYPE_CHECKING:
     from kinetruss.model import Model, OptimumTask
 
 STATE, EVALUATIONS, GIVEN, FOUND = "optimum.json", "evaluations.jsonl", "given.json", "optimum.yaml"
+LISTED = "listed.yaml"
 FORMAT = 1
 
 
@@ -47,6 +49,8 @@ class OptimumFolder:
     def finish(self, result: Optimum) -> None:
         """Write the result, and the model with it."""
         write(result.model, self.path / FOUND)
+        if result.listed is not None:
+            write(result.listed.sizing.model, self.path / LISTED)
         self.note(result.state or "finished", {"result": result.record})
 
 
@@ -74,7 +78,7 @@ def opened(path: Path, model: Model, task: OptimumTask, *, overwrite: bool) -> I
         same = _check(path, hashed, overwrite)
         try:
             if not same:
-                for name in (EVALUATIONS, STATE, GIVEN, FOUND):
+                for name in (EVALUATIONS, STATE, GIVEN, FOUND, LISTED):
                     remove(path / name)
                 atomic(path / GIVEN, model.model_dump_json())
             folder = OptimumFolder(path, hashed)
@@ -102,4 +106,4 @@ def _check(path: Path, hashed: str, overwrite: bool) -> bool:
 
 
 def _dumped(task: OptimumTask) -> str:
-    return task.with_(title="", model=None, seconds=1.0).model_dump_json()
+    return task.with_(title="", model=None, mission=None, seconds=1.0).model_dump_json()

@@ -9,8 +9,9 @@ from functools import cached_property
 from typing import TYPE_CHECKING, Any
 
 from kinetruss.design.optimum.certificate import FIRST_ORDER, Active, Certificate
-from kinetruss.design.optimum.evaluations import Evaluations, Step
+from kinetruss.design.optimum.evaluations import FEASIBLE, Evaluations, Step
 from kinetruss.design.optimum.truss_sections import Proof
+from kinetruss.design.sizing_result import record
 from kinetruss.display import Table, number, quantity
 from kinetruss.display.tables import words
 from kinetruss.errors import few
@@ -23,6 +24,7 @@ if TYPE_CHECKING:
     from numpy.typing import NDArray
 
     from kinetruss.design.model_function import ModelFunction
+    from kinetruss.design.under_mission import Listed
     from kinetruss.design.optimum.problem import Problem
 
 SHARE = 0.01
@@ -52,7 +54,7 @@ class Optimum:
     value at the start. certificate : to first order. active : limits and bounds reached, the dearest first. history : a step
     for each analysis. analyses : points; computed : values and gradients that were not known from an earlier run; seconds.
     state : "" done, or ``interrupted``. proof : of a choice from lists, by branch and bound; relaxed : the optimum without
-    lists, from which it was chosen.
+    lists, from which it was chosen. listed : with parts from the catalogues of the mission, if there is one.
     """
 
     model: Model
@@ -70,6 +72,7 @@ class Optimum:
     state: str = ""
     proof: Proof | None = None
     relaxed: float | None = None
+    listed: Listed | None = None
     notes: tuple[str, ...] = ()
     provenance: Mapping[str, Any] = field(default_factory=dict)
 
@@ -137,6 +140,7 @@ class Optimum:
                 "excess": self.certificate.excess if math.isfinite(self.certificate.excess) else None,
             },
             "active": [{name: getattr(one, name) for name in ActiveLimit.__slots__} for one in self.active],
+            "listed": None if self.listed is None else _listed_record(self.listed),
             "history": [[one.analyses, one.objective, one.worst if math.isfinite(one.worst) else None] for one in self.history],
             "provenance": dict(self.provenance),
         }  # fmt: skip
@@ -220,7 +224,35 @@ def _lines(found: Optimum) -> list[str]:
     lines.append(found.sentence)
     if found.relaxed is None:
         lines += [f"  {active_words(one, unit)}." for one in found.active]
+    if found.listed is not None:
+        lines += ["", *_listed_words(found, found.listed)]
     return [*lines, *found.notes]
+
+
+def _listed_words(found: Optimum, listed: Listed) -> list[str]:
+    """The parts, what they cost over the optimum, and whether they keep the limits."""
+    sizing = listed.sizing
+    parts = [f"{one.name} {one.tube}" for one in sizing.groups]
+    parts += [f"{one.name} {', '.join(filter(None, (one.motor, one.screw, one.gear)))}" for one in sizing.drives]
+    cost = "" if math.isnan(listed.objective) else _cost(found, listed.objective)
+    kept = (
+        "All limits of the task are kept"
+        if listed.excess <= FEASIBLE
+        else f"But {listed.limit} exceeds its limit by {100 * listed.excess:.3g} % of it"
+    )
+    return [f"With parts of the catalogues ({'; '.join(parts)}){cost}. {kept}. {sizing.finding.sentence}"]
+
+
+def _cost(found: Optimum, objective: float) -> str:
+    more = 100 * (objective - found.objective) / abs(found.objective) if found.objective else math.nan
+    than = "" if math.isnan(more) else f", {abs(more):.2g} % {'more' if more > 0 else 'less'} than without lists"
+    return f": {found.task.least} {quantity(objective, found.unit)}{than}"
+
+
+def _listed_record(listed: Listed) -> dict[str, Any]:
+    own = {"objective": listed.objective, "excess": listed.excess}
+    plain = {name: one if math.isfinite(one) else None for name, one in own.items()}
+    return {**plain, "limit": listed.limit, "sizing": record(listed.sizing)}
 
 
 def _unit(task: OptimumTask, name: str) -> str:

@@ -1,7 +1,8 @@
-"""What a model's members bear, from its numbers alone, for responses beside the results: ``member_force/buckling_load``.
+"""What a model's members and motors bear, from its numbers alone, for responses beside the results.
 
-buckling_load (member) N : Euler's load of a slender bar, Johnson's of a stocky one, about its weaker axis, with its own end
-condition, as in `strength.check`. yield_load (member) N : area times yield strength. NaN where the model does not say.
+Of members, for ``member_force/buckling_load``: buckling_load N, Euler's load of a slender bar, Johnson's of a stocky one, about
+its weaker axis, with its own end condition, as in `strength.check`; yield_load N, area times yield strength. Of the motors of
+active members, for ``voltage/max_voltage``: their own limits. NaN where the model does not say.
 """
 
 from __future__ import annotations
@@ -10,6 +11,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
+from kinetruss.actuators.shafts import parts_of as train_parts
 from kinetruss.gradients.differences import FOUR
 from kinetruss.mechanics import compile, ends_of
 from kinetruss.model import Model
@@ -18,11 +20,15 @@ from kinetruss.strength.critical_loads import critical_load, end_condition
 from kinetruss.strength.parts import parts_of
 
 if TYPE_CHECKING:
-    from collections.abc import Callable, Sequence
+    from collections.abc import Callable, Mapping, Sequence
 
     from numpy.typing import NDArray
 
-NAMES = ("buckling_load", "yield_load")
+    Names = Mapping[str, Sequence[str]]
+
+MEMBERS = {"buckling_load": "N", "yield_load": "N"}
+MOTORS = {"max_voltage": "V", "max_current": "A", "max_speed": "rad/s", "max_torque": "N m", "rated_current": "A", "rated_torque": "N m"}
+NAMES = (*MEMBERS, *MOTORS)
 
 
 def member_loads(model: Model, members: Sequence[str]) -> dict[str, NDArray[np.float64]]:
@@ -41,23 +47,44 @@ def member_loads(model: Model, members: Sequence[str]) -> dict[str, NDArray[np.f
     return found
 
 
+def motor_limits(model: Model, active: Sequence[str]) -> dict[str, NDArray[np.float64]]:
+    """Limits (active,) of the motors of some active members by name."""
+    motors = [train_parts(model, model.actuators[name])[2] for name in active]
+    return {name: np.array([getattr(one, name, None) or np.nan for one in motors], float) for name in MOTORS}
+
+
+def _borne(model: Model, names: Names) -> dict[str, NDArray[np.float64]]:
+    found = member_loads(model, names["member"]) if "member" in names else {}
+    return found | (motor_limits(model, names["active"]) if "active" in names else {})
+
+
+def names_of(data: Any) -> dict[str, list[str]]:
+    """The members and active members of a result, as far as it has any."""
+    return {dim: [str(name) for name in data[dim].values] for dim in ("member", "active") if dim in data.coords}
+
+
 def beside(model: Model, data: Any) -> dict[str, Any]:
-    """The same as variables beside those of a result, in the order of its members."""
-    if "member" not in data.coords:
-        return {}
-    found = member_loads(model, [str(name) for name in data["member"].values])
-    return {name: variable(("member",), one, "N", "load that the member bears") for name, one in found.items()}
+    """What they bear as variables beside those of a result, in its order."""
+    found = _borne(model, names_of(data))
+    return {
+        name: variable(("member",), one, MEMBERS[name], "load that the member bears")
+        if name in MEMBERS
+        else variable(("active",), one, MOTORS[name], "limit of the motor")
+        for name, one in found.items()
+    }
 
 
 def slopes(
-    at: Callable[[NDArray[np.float64]], Model], p: NDArray[np.float64], members: Sequence[str], step: NDArray[np.float64]
+    at: Callable[[NDArray[np.float64]], Model], p: NDArray[np.float64], names: Names, step: NDArray[np.float64]
 ) -> dict[str, NDArray[np.float64]]:
-    """Derivatives (members, n) by variables p (n,), by differences of fourth order of these formulas; at : the model of p."""
-    found = {name: np.zeros((len(members), len(p))) for name in NAMES}
+    """Derivatives (members or motors, n) by variables p (n,), by differences of fourth order of these formulas; at : the model
+    of p; names : as of `names_of`.
+    """
+    found: dict[str, NDArray[np.float64]] = {}
     for k in range(len(p)):
         for share, weight in FOUR:
             moved = p.copy()
             moved[k] += share * step[k]
-            for name, one in member_loads(at(moved), members).items():
-                found[name][:, k] += weight * one / step[k]
+            for name, one in _borne(at(moved), names).items():
+                found.setdefault(name, np.zeros((len(one), len(p))))[:, k] += weight * one / step[k]
     return found

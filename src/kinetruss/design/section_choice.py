@@ -131,6 +131,8 @@ def section_task(function: ModelFunction, lists: Sequence[NDArray[np.float64]]) 
         return None, "branch and bound knows trusses under small displacements (statics.linear) alone"
     if any(one.arguments.get("weight", True) is not False for one in function.asked):
         return None, "loads change with the sections; without weight (arguments: {weight: false}) it would be"
+    if any(one.multiples for one in function.task.variables.values()):
+        return None, "variables have multiples"
     least, most = (np.array([f(one) for one in lists]) for f in (np.min, np.max))
     found = _truss(function, most)
     if isinstance(found, str):

@@ -59,8 +59,7 @@ def loadings(model: Model, mission: Mission) -> list[Loading]:
     InputError : a run is a simulation.
     """
     found = []
-    names = mission.runs or tuple(name for name, run in model.runs.items() if run.analysis in MOVING)
-    names = tuple(dict.fromkeys(one for name in names for one in _moving(model, name)))
+    names = runs_of(model, mission)
     for name in names:
         job = plan(model, name)
         motion = job.given
@@ -76,6 +75,17 @@ def loadings(model: Model, mission: Mission) -> list[Loading]:
             label = case or "all"
             found.append(Loading(name=f"{name}/{label}" if len(names) > 1 else label, run=name, case=case, motion=motion))
     return found
+
+
+def runs_of(model: Model, mission: Mission) -> tuple[str, ...]:
+    """Names of the runs of a mission.
+
+    Raises
+    ------
+    InputError : a run stands still, or has conditions.
+    """
+    names = mission.runs or tuple(name for name, run in model.runs.items() if run.analysis in MOVING)
+    return tuple(dict.fromkeys(one for name in names for one in _moving(model, name)))
 
 
 def _moving(model: Model, name: str) -> tuple[str, ...]:

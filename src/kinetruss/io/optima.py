@@ -15,7 +15,7 @@ START = "Start with kinetruss_optimum: 1, then model, least, variables, limits."
 
 
 def read_optimum(path: str | Path, *, max_size: int = MAX_SIZE) -> OptimumTask:
-    r"""Read the task of an optimum from a YAML or JSON file; the path of its model is relative to it.
+    r"""Read the task of an optimum from a YAML or JSON file; the paths of its model and mission are relative to it.
 
     Raises
     ------
@@ -38,7 +38,7 @@ def read_optimum(path: str | Path, *, max_size: int = MAX_SIZE) -> OptimumTask:
     others = dict.fromkeys(MODEL_KEYS, ("is a model, not the task of an optimum.", "A task names it: model: FILE."))
     others["kinetruss_mission"] = ("is a mission, not the task of an optimum.", "Size it by kinetruss size.")
     task = record_of_file(path, lambda data: OptimumTask(**data), START, others, max_size)
-    return task if task.model is None else task.with_(model=str(path.parent / task.model))
+    return task.with_(**{one: str(path.parent / own) for one in ("model", "mission") if (own := getattr(task, one)) is not None})
 
 
 def placed_in(path: str | Path, faults: Iterable[Fault]) -> list[Fault]:

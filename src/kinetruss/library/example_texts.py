@@ -5,14 +5,13 @@ from __future__ import annotations
 from pathlib import Path
 
 FOLDER = Path(__file__).parent / "examples"
-COMPANIONS = (".mission.", ".optimum.", ".study.")
-"""Parts of the names of tasks beside a model: between its name and the suffix."""
 SCHEMA = "# yaml-language-server: $schema="
 """Start of the first line of every example: editors complete and check the file by the schema that it names."""
 
 
 def example_files() -> dict[str, tuple[Path, ...]]:
-    """Name of every example -> its files: the model file first, then its tables and tasks.
+    """Name of every example -> its files: the model file first, then its tables and its companions, NAME.WHAT.yaml beside
+    NAME.yaml: a mission, the task of an optimum, a study.
 
     >>> import kinetruss as kt
     >>> [file.name for file in kt.library.example_files()["double_octahedral_slew"]]
@@ -20,12 +19,11 @@ def example_files() -> dict[str, tuple[Path, ...]]:
     """
     found = {}
     for model in sorted(FOLDER.glob("*.yaml")):
-        if any(part in model.name for part in COMPANIONS):
+        if "." in model.stem:
             continue
         text = model.read_text(encoding="utf-8")
         tables = (table for table in sorted(FOLDER.glob("*.csv")) if table.name in text)
-        tasks = (task for part in COMPANIONS for task in sorted(FOLDER.glob(f"{model.stem}{part}*")))
-        found[model.stem] = (model, *tables, *tasks)
+        found[model.stem] = (model, *tables, *sorted(FOLDER.glob(f"{model.stem}.*.yaml")))
     return found
 
 

@@ -36,6 +36,7 @@ def unit_given(value: float) -> str | None:
     return {"length": "m", "angle": "rad"}.get(quantity, quantity) if isinstance(quantity, str) else None
 
 
+Settings = dict[str, Any]
 Arguments = Annotated[dict[str, Any], BeforeValidator(_plain)]
 """Arguments of an analysis by name."""
 
@@ -53,6 +54,8 @@ class OptimumVariable(Record):
 
     of : its dotted path, as for ``--set`` (``bars.M7.section.area``, ``nodes.C.at.0``), or several paths, which have one value;
         a star stands for all that fit.
+    multiples : further paths, each with the factor by which it follows: the bore of a tube, ``{sections.bar.inner: 0.84}``; the
+        other side of what is symmetric, ``{nodes.L.at.0: -1}``.
     between : least and largest value. start : where the search begins; by default the value of the model.
     scale : in which the solver sees it: ``range`` linear; ``log``; ``inverse``, its reciprocal (both above 0).
     choose : the values to choose from, e.g. the areas of a catalogue; ``between`` is then not needed.
@@ -63,6 +66,7 @@ class OptimumVariable(Record):
     """
 
     of: Paths
+    multiples: dict[str, Number] = Field(default_factory=dict)
     between: tuple[Measure, Measure] | None = None
     start: Measure | None = None
     scale: Literal["range", "log", "inverse"] = "range"
@@ -115,6 +119,9 @@ class OptimumTask(Record):
     least : the response that is made small, as ``mass`` or ``max(abs(drive_force))``, or a variable, by its name.
     variables, limits : by name.
     model : the model file, beside this one; from Python a model is given.
+    set : values of the model that are changed before, by path, as by ``--set``, also ``library.NAME``.
+    mission : the mission file, beside this one. Limits that name no analysis then hold in all its runs and load cases, with its
+        safety factors; `least` is of its first run. From what is found, `design.size` chooses parts of its catalogues.
     analysis : ``statics.linear``, ...; arguments : of it; load_cases : for all limits that name none; by default the loads of
         the model as they are.
     method : slsqp, trust-constr, mma (needs NLopt), highs (for what is linear). iterations : at most, of one search.
@@ -126,6 +133,8 @@ class OptimumTask(Record):
     kinetruss_optimum: Annotated[int, BeforeValidator(_format), WithJsonSchema({"const": FORMAT})] = FORMAT
     title: str = ""
     model: str | None = None
+    set: Settings = Field(default_factory=dict)
+    mission: str | None = None
     least: Text = "mass"
     variables: Filled[Name, OptimumVariable]
     limits: dict[Name, OptimumLimit] = Field(default_factory=dict)

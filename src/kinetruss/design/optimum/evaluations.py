@@ -25,6 +25,8 @@ if TYPE_CHECKING:
 
 FEASIBLE = 1e-6
 """Largest excess, of the size of its limit, of a point that is taken as feasible."""
+UNKNOWN = 1e3
+"""Excess of a value that is not known, although it was at the start, or infinite, as of a member beyond its buckling load."""
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)

@@ -12,13 +12,17 @@ from typing import TYPE_CHECKING, Any, Literal
 import numpy as np
 from scipy.optimize import Bounds, NonlinearConstraint, linprog, minimize
 
-from kinetruss.design.optimum.evaluations import FEASIBLE, Evaluations
-from kinetruss.errors import InputError
+from kinetruss.design.optimum.evaluations import FEASIBLE, UNKNOWN, Evaluations
+from kinetruss.errors import AnalysisError, InputError
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray
 
 Method = Literal["slsqp", "trust-constr", "mma", "highs"]
+SHORTEST = 1e-4
+"""Reach of a search, of the range of a variable, at which it ends between values that are not known."""
+FAR = 1.0
+"""Excess, of the size of a limit, from which on a place without gradient is left again."""
 PENALTY = 10.0
 """Of an excess of 1 over an objective of 1, at the beginning of a sequence of linear programs."""
 
@@ -56,13 +60,49 @@ def search(
     return _SOLVERS[method](Scaled(asked, rows, z), z, iterations, tolerance)
 
 
+class _BeyondError(Exception):
+    """A place where limits that are far exceeded have no gradient, as they are infinite or nearly so."""
+
+
 def _slsqp(scaled: Scaled, z: NDArray[np.float64], iterations: int, tolerance: float) -> tuple[NDArray[np.float64], str]:
-    limits: Any = {"type": "ineq", "fun": lambda z: -scaled.at(z)[1], "jac": lambda z: -scaled.slopes(z)[1]}
-    found = minimize(
-        scaled.objective, z, jac=scaled.slope, method="SLSQP", bounds=[(0.0, 1.0)] * len(z),
-        constraints=[limits] if len(scaled.rows) else [], options={"maxiter": iterations, "ftol": tolerance},
-    )  # fmt: skip
-    return np.clip(found.x, 0.0, 1.0), str(found.message)
+    """From where a step led to values that are not known, it goes back, and on with shorter reach."""
+    reach, known = 1.0, z
+
+    def slopes(z: NDArray[np.float64]) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
+        nonlocal known
+        worst = scaled.at(z)[1].max(initial=0.0)
+        try:
+            if worst >= UNKNOWN:
+                raise _BeyondError
+            found = scaled.slopes(z)
+        except AnalysisError:
+            if worst > FAR:
+                raise _BeyondError from None
+            raise
+        known = np.array(z)
+        return found
+
+    limits: Any = {"type": "ineq", "fun": lambda z: -scaled.at(z)[1], "jac": lambda z: -slopes(z)[1]}
+    while reach > SHORTEST:
+        z = known
+        low, high = np.clip(z - reach, 0.0, 1.0), np.clip(z + reach, 0.0, 1.0)
+        try:
+            found = minimize(
+                scaled.objective, z, jac=lambda z: slopes(z)[0] / scaled.size, method="SLSQP",
+                bounds=list(zip(low, high, strict=True)), constraints=[limits] if len(scaled.rows) else [],
+                options={"maxiter": iterations, "ftol": tolerance},
+            )  # fmt: skip
+        except _BeyondError:
+            reach *= 0.5
+            continue
+        end = np.clip(found.x, low, high)
+        if not (((end == low) & (low > 0.0)) | ((end == high) & (high < 1.0))).any():
+            return end, str(found.message)
+        known = end
+    raise AnalysisError(
+        "Some limits are infinite or not known near the start of the search, as of a member beyond its buckling load. Start "
+        "with stronger members, or raise the least values of variables."
+    )
 
 
 def _trust(scaled: Scaled, z: NDArray[np.float64], iterations: int, tolerance: float) -> tuple[NDArray[np.float64], str]:

@@ -13,7 +13,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from kinetruss.design.optimum.certificate import Certificate, certificate, worst_of_families
-from kinetruss.design.optimum.evaluations import FEASIBLE, Evaluations
+from kinetruss.design.optimum.evaluations import FEASIBLE, UNKNOWN, Evaluations
 from kinetruss.design.optimum.solvers import Method, search
 
 if TYPE_CHECKING:
@@ -46,11 +46,14 @@ def optimum(asked: Evaluations, start: NDArray[np.float64], method: Method, iter
     count = len(problem.limits)
     rows = np.arange(count) if count <= ALL else worst_of_families(asked.values(problem.real(z))[1], problem.family, NEAR)
     for _ in range(ROUNDS):
+        began = z
         z, said = search(asked, rows, z, method, iterations, tolerance)
         excess = asked.values(problem.real(z))[1]
         more = np.setdiff1d(worst_of_families(excess, problem.family, -FEASIBLE), rows)
         if len(more):
             rows = np.union1d(rows, more)
+            if (excess >= UNKNOWN).any():  # where a limit has no gradient, no search can begin
+                z = began
             continue
         if method == "slsqp" or certificate(asked, problem.real(z)).first_order:
             break
