@@ -31,8 +31,8 @@ GROUPS = {
         "jansen_leg", "four_bar", "stewart", "delta", "robot", "planar_crane", "space_crane",
     ),
     "Adaptive trusses": (
-        "double_octahedral_slew", "double_octahedral_fast", "triangular_truss", "chain_two_axis", "mast", "serpentine_arm",
-        "docking", "opposed_trusses",
+        "double_octahedral_slew", "double_octahedral_fast", "triangular_truss", "chain_two_axis", "mast", "mast_design",
+        "serpentine_arm", "docking", "opposed_trusses",
     ),
     "Buildings that adapt": ("adaptive_footbridge", "facade", "wind_tower"),
     "Drives, springs and elastic members": ("drive_train", "driven_bay", "elastic_bay", "isolator", "isolator_beam"),

@@ -16,7 +16,7 @@ if TYPE_CHECKING:
     from numpy.typing import NDArray
 
 UNKNOWN = 1e3
-"""Excess of a value that is not known, although it was at the start."""
+"""Excess of a value that is infinite, or not known although it was at the start."""
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
@@ -97,4 +97,4 @@ class LimitRows(Sequence[Limit]):
         """Of all rows (rows,), from the values of the responses of all analyses."""
         own = (found[one.analysis][one.text].values.reshape(-1)[one.kept] for one in self.blocks)
         values = np.concatenate([np.zeros(0), *own])
-        return np.asarray(np.nan_to_num((values - self.limit) * self.sign_over_size, nan=UNKNOWN))
+        return np.asarray(np.nan_to_num((values - self.limit) * self.sign_over_size, nan=UNKNOWN, posinf=UNKNOWN))

@@ -210,7 +210,7 @@ class Instants:
         read, equations = self._both(self.model, self.base)
         wanted = np.concatenate([self.along[name].values[self.at].reshape(len(self.at), -1) for name in self.names], axis=1)
         used = np.abs(self.weight).max(axis=0) > 0
-        off, scale = np.abs(read - wanted)[used].max(initial=0.0), np.abs(wanted[used]).max(initial=0.0)
+        off, scale = np.abs(read[used] - wanted[used]).max(initial=0.0), np.abs(wanted[used]).max(initial=0.0)
         rows, free, rest = len(self.system.row_member), len(self.system.free), np.abs(equations()).max(axis=0)
         sizes = self._sizes()
         limit = np.repeat([*sizes, sizes[N]], [rows, rows, rows, *((free, rows) if self.forces else (0, 0))])[: len(rest)]

@@ -5,14 +5,13 @@ from __future__ import annotations
 from pathlib import Path
 
 FOLDER = Path(__file__).parent / "examples"
-MISSION = ".mission."
-"""Part of the names of mission files, between the name of the model and the suffix."""
 SCHEMA = "# yaml-language-server: $schema="
 """Start of the first line of every example: editors complete and check the file by the schema that it names."""
 
 
 def example_files() -> dict[str, tuple[Path, ...]]:
-    """Name of every example -> its files: the model file first, then its tables and missions.
+    """Name of every example -> its files: the model file first, then its tables and companions, NAME.WHAT.yaml beside NAME.yaml:
+    a mission, the task of an optimum, a study.
 
     >>> import kinetruss as kt
     >>> [file.name for file in kt.library.example_files()["double_octahedral_slew"]]
@@ -20,11 +19,11 @@ def example_files() -> dict[str, tuple[Path, ...]]:
     """
     found = {}
     for model in sorted(FOLDER.glob("*.yaml")):
-        if MISSION in model.name:
+        if "." in model.stem:
             continue
         text = model.read_text(encoding="utf-8")
         tables = (table for table in sorted(FOLDER.glob("*.csv")) if table.name in text)
-        found[model.stem] = (model, *tables, *sorted(FOLDER.glob(f"{model.stem}{MISSION}*")))
+        found[model.stem] = (model, *tables, *sorted(FOLDER.glob(f"{model.stem}.*.yaml")))
     return found
 
 
