@@ -29,8 +29,8 @@ def optimise(task: Path, out: Path | None, overwrite: bool, as_json: bool, quiet
     """Find the least of a response by numbers of a model, within limits on others, and certify it.
 
     FILE names the model, the response that is made small, variables and limits; or it is a model, and its task stands beside it
-    as MODEL.optimum.yaml. Ctrl-C keeps the best design so far; the same command goes on in OUT. Exit code 0: an optimum is certified; 1: limits exclude each other, nothing is certified, or
-    interrupted; 2: wrong usage, or faults of the file.
+    as MODEL.optimum.yaml. Ctrl-C keeps the best design so far; the same command goes on in OUT. Exit code 0: an optimum is
+    certified; 1: limits exclude each other, nothing is certified, or interrupted; 2: wrong usage, or faults of the file.
     """
     from kinetruss.errors import InputError, ModelError
     from kinetruss.io import read, read_optimum

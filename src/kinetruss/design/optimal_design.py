@@ -16,9 +16,9 @@ from kinetruss.design.optimum.contradictions import contradiction
 from kinetruss.design.optimum.evaluations import FEASIBLE, Evaluations
 from kinetruss.design.optimum.working_limits import ALL, NEAR, Found, optimum
 from kinetruss.design.optimum_folder import opened
-from kinetruss.design.optimum_result import Optimum, contradiction_words, made
+from kinetruss.design.optimum_result import Optimum, contradiction_words, made, question
 from kinetruss.design.section_choice import chosen
-from kinetruss.errors import AnalysisError, Fault, InputError, ModelError
+from kinetruss.errors import AnalysisError, Fault, InfeasibleError, InputError, ModelError
 from kinetruss.io import read, read_optimum
 from kinetruss.model import Model, OptimumLimit, OptimumTask, OptimumVariable
 
@@ -58,7 +58,8 @@ def optimise(
     Raises
     ------
     ModelError : faults of the task: unknown paths, bounds that the model refuses, units, variables that do nothing.
-    AnalysisError : nothing within the bounds keeps all limits; the smallest set of those that exclude each other is named.
+    InfeasibleError : nothing within the bounds keeps all limits; the smallest set of those that exclude each other is named.
+    AnalysisError : an analysis failed, or the search lost its way.
     KeyboardInterrupt : before anything was found that keeps all limits.
 
     Notes
@@ -91,7 +92,7 @@ def optimise(
             Fault(("variables", name), "changes neither the objective nor any limit.", "Leave it out, or name another path.")
             for name in idle
         ])  # fmt: skip
-    with nullcontext() if out is None else opened(Path(out), given, task, overwrite=overwrite) as folder:
+    with nullcontext() if out is None else opened(Path(out), given, task, question(function), overwrite=overwrite) as folder:
         asked = Evaluations(function.problem, None if folder is None else folder.evaluations, progress)
         result = _searched(function, asked, progress, began)
         if folder is not None:
@@ -174,7 +175,7 @@ def _refuse(function: ModelFunction, asked: Evaluations) -> None:
             at = _given(function, nearest)
             raise AnalysisError(f"The search lost its way, but limits can be kept. Start it nearer, for example at {at}.")
         raise AnalysisError("The search did not end at a point that keeps all limits. Give other starts, or wider bounds.")
-    raise AnalysisError(contradiction_words(function, kept, nearest, worst))
+    raise InfeasibleError(contradiction_words(function, kept, nearest, worst))
 
 
 def _given(function: ModelFunction, p: NDArray[np.float64]) -> str:

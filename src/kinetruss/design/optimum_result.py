@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from functools import cached_property
 from typing import TYPE_CHECKING, Any
@@ -44,15 +44,33 @@ class ActiveLimit:
     bound: bool
 
 
+@dataclass(frozen=True, slots=True, kw_only=True)
+class LimitUse:
+    """How far a side of a limit is used, in one load case.
+
+    name : of the limit; subject : what its worst value is of; value, before : this value at the end and at the start; limit;
+    side : ``most`` or ``least``; unit. left : to the limit, as a share of it; negative if it is exceeded.
+    """
+
+    name: str
+    subject: str
+    value: float
+    before: float
+    limit: float
+    side: str
+    unit: str
+    left: float
+
+
 @dataclass(frozen=True, kw_only=True, eq=False)
 class Optimum:
     """What an optimum search found.
 
     model : with the values. values : of the variables, SI. objective, unit : the response that was made small. before : its
-    value at the start. certificate : to first order. active : limits and bounds reached, the dearest first. history : a step
-    for each analysis. analyses : points; computed : values and gradients that were not known from an earlier run; seconds.
-    state : "" done, or ``interrupted``. proof : of a choice from lists, by branch and bound; relaxed : the optimum without
-    lists, from which it was chosen.
+    value at the start. certificate : to first order. active : limits and bounds reached, the dearest first. limits : how far
+    each is used. history : a step for each analysis. analyses : points; computed : values and gradients that were not known
+    from an earlier run; seconds. state : "" done, or ``interrupted``. proof : of a choice from lists, by branch and bound;
+    relaxed : the optimum without lists, from which it was chosen.
     """
 
     model: Model
@@ -63,6 +81,7 @@ class Optimum:
     before: float
     certificate: Certificate
     active: tuple[ActiveLimit, ...]
+    limits: tuple[LimitUse, ...]
     history: tuple[Step, ...]
     analyses: int
     computed: int
@@ -137,6 +156,7 @@ class Optimum:
                 "excess": self.certificate.excess if math.isfinite(self.certificate.excess) else None,
             },
             "active": [{name: getattr(one, name) for name in ActiveLimit.__slots__} for one in self.active],
+            "limits": [{name: _finite(getattr(one, name)) for name in LimitUse.__slots__} for one in self.limits],
             "history": [[one.analyses, one.objective, one.worst if math.isfinite(one.worst) else None] for one in self.history],
             "provenance": dict(self.provenance),
         }  # fmt: skip
@@ -165,6 +185,7 @@ def made(
         before=asked.values(problem.start)[0],
         certificate=proven,
         active=_active(problem, proven),
+        limits=tuple(_uses(function, p)),
         history=tuple(asked.history),
         analyses=asked.analyses,
         computed=asked.computed,
@@ -175,6 +196,44 @@ def made(
         notes=tuple(notes),
         provenance=provenance(model, before=provenance(function.model)["model"]),
     )
+
+
+def question(function: ModelFunction) -> dict[str, Any]:
+    """What a task asks, as plain data in SI units."""
+    task, variables = function.task, zip(function.problem.variables, function.paths, strict=True)
+    own = ("title", "least", "analysis", "method", "starts")
+    return {
+        **{name: getattr(task, name) for name in own}, "unit": function.unit,
+        "model": function.model.title,
+        "variables": [
+            {"name": one.name, "of": list(task.variables[one.name].of), "paths": len(paths), "lower": one.lower,
+             "upper": one.upper, "start": one.start, "unit": one.unit, "scale": one.scale,
+             "choose": list(map(float, task.variables[one.name].choose or ()))}
+            for one, paths in variables
+        ],
+        "limits": [
+            {"name": name, "of": one.of, "analysis": one.analysis or task.analysis, "arguments": dict(one.arguments),
+             "load_cases": list(one.load_cases or task.load_cases or ()), "unit": unit,
+             "at_least": None if one.at_least is None else float(one.at_least),
+             "at_most": None if one.at_most is None else float(one.at_most)}
+            for name, one in task.limits.items()
+            for unit in [next((block.unit for block in function.limits.blocks if block.name == name), "")]
+        ],
+    }  # fmt: skip
+
+
+def _uses(function: ModelFunction, p: NDArray[Any]) -> Iterator[LimitUse]:
+    for one, subject, value, before in function.worst(p):
+        left = -one.sign * (value - one.limit) / one.size
+        side = "most" if one.sign > 0 else "least"
+        yield LimitUse(
+            name=one.name, subject=subject, value=value, before=before, limit=one.limit, side=side, unit=one.unit, left=left
+        )
+
+
+def _finite(value: Any) -> Any:
+    """Plain data: JSON has no infinity."""
+    return None if isinstance(value, float) and not math.isfinite(value) else value
 
 
 def _active(problem: Problem, proven: Certificate) -> tuple[ActiveLimit, ...]:
@@ -207,8 +266,12 @@ def active_words(one: ActiveLimit, unit: str) -> str:
     saved = one.price * SHARE * abs(one.limit)
     if not saved > 0:
         return f"{reached}; that costs nothing"
-    wider = "more" if (one.side == "most") == (one.limit > 0) else "less"
-    return f"{reached}; 1 % {wider} would save {quantity(saved, unit)}"
+    return f"{reached}; 1 % {wider(one)} would save {quantity(saved, unit)}"
+
+
+def wider(one: ActiveLimit) -> str:
+    """Whether a limit gives way if its size is ``more`` or ``less``."""
+    return "more" if (one.side == "most") == (one.limit > 0) else "less"
 
 
 def _lines(found: Optimum) -> list[str]:

@@ -10,8 +10,8 @@ SCHEMA = "# yaml-language-server: $schema="
 
 
 def example_files() -> dict[str, tuple[Path, ...]]:
-    """Name of every example -> its files: the model file first, then its tables and companions, NAME.WHAT.yaml beside NAME.yaml:
-    a mission, the task of an optimum, a study.
+    """Name of every example -> its files: the model file first, then its tables and its companions, NAME.WHAT.yaml beside
+    NAME.yaml: a mission, the task of an optimum, a study.
 
     >>> import kinetruss as kt
     >>> [file.name for file in kt.library.example_files()["double_octahedral_slew"]]
