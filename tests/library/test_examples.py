@@ -44,7 +44,7 @@ def test_companions_are_read_by_their_readers():
         ".study": lambda file, _: kt.studies.read_study(file).model,
     }
     found = [(model, file) for model, *others in example_files().values() for file in others if file.suffix == ".yaml"]
-    assert {Path(file.stem).suffix for _, file in found} <= set(read)
+    assert {Path(file.stem).suffix for _, file in found} == set(read)
     for model, file in found:
         of = read[Path(file.stem).suffix](file, model)
         assert of == str(model) or isinstance(of, kt.model.Mission), file.name

@@ -96,6 +96,15 @@ class Optimum:
         read_only(self)
 
     @property
+    def certified(self) -> bool:
+        """Whether it may be called an optimum: the search ended where the conditions hold, or with a choice from lists."""
+        return not self.state and (self.certificate.first_order or (self.certificate.feasible and self.relaxed is not None))
+
+    def variable_unit(self, name: str) -> str:
+        """The SI unit in which a variable was given."""
+        return _unit(self.task, name)
+
+    @property
     def sentence(self) -> str:
         """What is proven, in one sentence."""
         if self.state:
@@ -146,7 +155,7 @@ class Optimum:
             "cost": self.proof.cost, "bound": self.proof.bound, "gap": self.proof.gap, "closed": self.proof.closed,
             "boxes": self.proof.boxes, "programs": self.proof.programs, "seconds": self.proof.seconds,
         }  # fmt: skip
-        own = ("objective", "unit", "before", "analyses", "computed", "seconds", "state", "relaxed")
+        own = ("objective", "unit", "before", "analyses", "computed", "seconds", "state", "certified", "relaxed")
         return {
             "title": self.task.title, "least": self.task.least, **{name: getattr(self, name) for name in own},
             "values": dict(self.values), "sentence": self.sentence, "notes": list(self.notes), "proof": proof,

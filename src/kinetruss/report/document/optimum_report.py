@@ -106,13 +106,7 @@ def optimum_lines(found: KeptOptimum) -> tuple[str, ...]:
 
 
 def _at(one: Mapping[str, Any]) -> str:
-    return "at the optimum" if _certified(one) else "in the best design so far" if one["state"] else "where the search ended"
-
-
-def _certified(one: Mapping[str, Any]) -> bool:
-    """Whether the result may be called an optimum: the search ended, and its certificate holds or it was chosen from lists."""
-    proven = one["certificate"]["first_order"] or (one["certificate"]["feasible"] and one["relaxed"] is not None)
-    return not one["state"] and proven
+    return "at the optimum" if one["certified"] else "in the best design so far" if one["state"] else "where the search ended"
 
 
 def _html(found: KeptOptimum, front: Front) -> str:
@@ -134,7 +128,7 @@ def _html(found: KeptOptimum, front: Front) -> str:
 
 def _result(found: KeptOptimum) -> Iterator[Entry]:
     one = found.result
-    if one is None or not _certified(one):
+    if one is None or not one["certified"]:
         state = found.state if one is None else one["state"]
         said = {"searching": "It is being computed, or was stopped.", "interrupted": "The search was interrupted."}
         words_ = said.get(state, "See what is said above.")
@@ -224,7 +218,7 @@ def _certificate(found: KeptOptimum) -> Iterator[Entry]:
         f"{number(max(proof['excess'] or 0.0, 0.0), 2)} of it; up to {FEASIBLE:g} counts as kept. Second order is not checked."
     )
     reached = [ActiveLimit(**active) for active in one["active"]]
-    if not _certified(one) or one["relaxed"] is not None:  # multipliers of what is not balanced are no prices
+    if not one["certified"] or one["relaxed"] is not None:  # multipliers of what is not balanced are no prices
         names = "; ".join(f"{active.name} at {active.side} {quantity(active.limit, active.unit)}" for active in reached)
         yield f"Reached: {names or 'nothing'}. There are no prices, as nothing is certified of them."
         return
