@@ -7,6 +7,7 @@ KinetrussError
 │   ├── UnitError         a text that is not `number unit` of the expected quantity
 │   └── FrozenError       an attempt to change a record or one of its tables in place
 ├── AnalysisError         an analysis failed; carries the best result so far (exit 1)
+│   └── InfeasibleError   no design keeps all limits of an optimum
 └── StoreError            a run folder or file that cannot be read or written (exit 1)
 
 Interrupted               Ctrl-C during an analysis; a KeyboardInterrupt that carries the result so far
@@ -25,6 +26,7 @@ __all__ = [
     "ArgumentError",
     "Fault",
     "FrozenError",
+    "InfeasibleError",
     "InputError",
     "Interrupted",
     "KernelCacheWarning",
@@ -186,6 +188,10 @@ class AnalysisError(KinetrussError):
     def __init__(self, message: str, result: Any = None) -> None:
         self.result = result
         super().__init__(message)
+
+
+class InfeasibleError(AnalysisError):
+    """No design within its bounds keeps all limits of an optimum, as far as a search shows."""
 
 
 class Interrupted(KeyboardInterrupt):

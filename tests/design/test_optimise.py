@@ -211,6 +211,24 @@ def test_an_interrupted_command_keeps_the_best_design(folder):
         assert kt.read(folder / "out" / "optimum.yaml")
 
 
+def test_a_model_has_its_task_beside_it(folder):
+    """MODEL.optimum.yaml; a model with none or with several is refused, and they are named."""
+    from click.testing import CliRunner
+
+    from kinetruss.cli import main
+
+    def said(*arguments):
+        return CliRunner().invoke(main, ["optimise", str(folder / "truss.yaml"), *arguments])
+
+    assert said().exit_code == 2
+    assert "no task stands beside it as truss.optimum.yaml" in said().stderr
+    (folder / "truss.optimum.yaml").write_text(TASK)
+    found = json.loads(said("--json").stdout)
+    assert found["objective"] == kt.design.optimise(None, folder / "task.yaml").objective
+    (folder / "truss.stiff.optimum.yaml").write_text(TASK)
+    assert "2 tasks beside it: truss.optimum.yaml, truss.stiff.optimum.yaml" in said().stderr
+
+
 def test_only_the_same_task_goes_on_in_a_folder(folder):
     """Another task's folder, and one that holds anything else, are refused and stay as they are."""
     task, out = kt.io.read_optimum(folder / "task.yaml"), folder / "out"

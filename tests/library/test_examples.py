@@ -36,6 +36,20 @@ def test_model_files_come_with_scripts():
     assert [path.name for path in shelf["measured_slew"]] == ["measured_slew.yaml", "measured_slew.csv"]
 
 
+def test_companions_are_read_by_their_readers():
+    """What stands beside a model under its name is of it: a mission, the task of an optimum, a study."""
+    read = {
+        ".mission": lambda file, model: kt.io.read_mission(file, kt.read(model)),
+        ".optimum": lambda file, _: kt.io.read_optimum(file).model,
+        ".study": lambda file, _: kt.studies.read_study(file).model,
+    }
+    found = [(model, file) for model, *others in example_files().values() for file in others if file.suffix == ".yaml"]
+    assert {Path(file.stem).suffix for _, file in found} == set(read)
+    for model, file in found:
+        of = read[Path(file.stem).suffix](file, model)
+        assert of == str(model) or isinstance(of, kt.model.Mission), file.name
+
+
 def test_written_out_bay_is_the_bay_of_the_library():
     written = kt.read(example_files()["measured_slew"][0])
     built = kt.library.vgt.double_octahedral()

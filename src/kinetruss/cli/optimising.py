@@ -13,6 +13,8 @@ EPILOG = """\b
 Examples:
   kinetruss optimise lightest.yaml -o runs/lightest      # the file names model, variables, limits
   kinetruss optimise lightest.yaml -o runs/lightest      # the same again goes on where it was stopped
+  kinetruss optimise mast.yaml -o runs/mast              # a model: the task beside it, mast.optimum.yaml
+  kinetruss report runs/mast
 """
 
 
@@ -26,14 +28,15 @@ Examples:
 def optimise(task: Path, out: Path | None, overwrite: bool, as_json: bool, quiet: bool, max_size: int) -> None:
     """Find the least of a response by numbers of a model, within limits on others, and certify it.
 
-    FILE names the model, the response that is made small, variables and limits. Ctrl-C keeps the best design so far; the same
-    command goes on in OUT. Exit code 0: an optimum is certified; 1: limits exclude each other, nothing is certified, or
-    interrupted; 2: wrong usage, or faults of the file.
+    FILE names the model, the response that is made small, variables and limits; or it is a model, and its task stands beside it
+    as MODEL.optimum.yaml. Ctrl-C keeps the best design so far; the same command goes on in OUT. Exit code 0: an optimum is
+    certified; 1: limits exclude each other, nothing is certified, or interrupted; 2: wrong usage, or faults of the file.
     """
     from kinetruss.errors import InputError, ModelError
     from kinetruss.io import read_optimum
-    from kinetruss.io.optima import placed_in
+    from kinetruss.io.optima import optimum_file, placed_in
 
+    task = optimum_file(task, max_size)
     asked = read_optimum(task, max_size=max_size)
     if asked.model is None:
         raise InputError(f"{task} names no model. Add model: FILE.")
@@ -55,8 +58,7 @@ def optimise(task: Path, out: Path | None, overwrite: bool, as_json: bool, quiet
             click.echo(f"The model with these values is in {out / 'optimum.yaml'}.")
             if found.listed is not None:
                 click.echo(f"With parts of the catalogues it is in {out / 'listed.yaml'}.")
-    certified = found.certificate.first_order or found.relaxed is not None
-    if found.state or not certified:
+    if not found.certified:
         raise click.exceptions.Exit(1)
 
 

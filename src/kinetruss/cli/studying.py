@@ -91,6 +91,7 @@ def study(
         raise _interrupted(out) from None
     from kinetruss import report
     from kinetruss.results.folder import PICTURES
+    from kinetruss.studies.evaluating import INFEASIBLE
 
     page = report.study(found)
     written = report.study_figures(found, out / PICTURES) if pictures else []
@@ -100,7 +101,7 @@ def study(
         click.echo(page.text)
         if written:
             click.echo(f"\n{len(written)} pictures in {written[0].parent}")
-    if not found.good.all():
+    if not (found.good | (found.status == INFEASIBLE)).all():
         raise click.exceptions.Exit(1)
 
 

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, replace
 from functools import cached_property
 from typing import TYPE_CHECKING, overload
@@ -15,6 +15,7 @@ from kinetruss.gradients import Entries
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray
+
 
 @dataclass(frozen=True, kw_only=True, eq=False)
 class Block:
@@ -89,6 +90,13 @@ class LimitRows(Sequence[Limit]):
     def at(self, found: Sequence[Sequence[Entries]]) -> LimitRows:
         """The same, with the names that values have in other responses: of other instants."""
         return LimitRows([replace(one, of=found[one.analysis][one.text]) for one in self.blocks])
+
+    def worst(self, found: Sequence[Sequence[Entries]]) -> Iterator[tuple[Block, str, float]]:
+        """Of each block itself, what its worst value is of, and this value; infinity where nothing is known."""
+        for one in self.at(found).blocks:
+            values = one.of.values.reshape(-1)[one.kept]
+            k = int(np.argmax(np.nan_to_num(one.sign * values, nan=np.inf)))
+            yield one, one.subject(k), float(np.nan_to_num(values[k], nan=np.inf * one.sign))
 
     def excess(self, found: Sequence[Sequence[Entries]]) -> NDArray[np.float64]:
         """Of all rows (rows,), from the values of the responses of all analyses."""

@@ -68,7 +68,10 @@ class ModelFunction:
         self.asked = _asked(model, task)
         self._last: tuple[bytes, list[list[Entries]]] | None = None
         start = np.array([one.start for one in variables])
-        self.limits = self._rows(self._entries(start))
+        found = self._entries(start)
+        self.limits = self._rows(found)
+        self.at_start = [value for _, _, value in self.limits.worst(found)]
+        """The worst value of each block of limits at the start."""
         self.problem = Problem(
             variables=variables, limits=self.limits, function=self, objective=task.least, unit=self.unit,
             families=self.limits.families,
@@ -82,6 +85,11 @@ class ModelFunction:
     def limits_at(self, p: NDArray[np.float64]) -> LimitRows:
         """The limits with the names of what they are on at these values of the variables."""
         return self.limits.at(self._entries(p))
+
+    def worst(self, p: NDArray[np.float64]) -> Iterator[tuple[Block, str, float, float]]:
+        """Of each block of limits: what its worst value is of, this value, and that at the start."""
+        for (block, subject, value), before in zip(self.limits.worst(self._entries(p)), self.at_start, strict=True):
+            yield block, subject, value, before
 
     def values(self, p: NDArray[np.float64], rows: NDArray[np.int64] | None) -> tuple[float, NDArray[np.float64]]:
         """Objective, and excess of limits."""
@@ -219,7 +227,7 @@ class ModelFunction:
                     size = abs(float(limit)) or float(np.nanmax(np.abs(one.values))) or 1.0
                     made = Block(
                         name=name, case=case, analysis=j, text=i, of=one, kept=kept, limit=float(limit), size=size, sign=sign,
-                        unit=unit_given(limit) or one.unit,
+                        unit=one.unit or unit_given(limit) or "",
                     )  # fmt: skip
                     blocks.append(made)
         if faults:
@@ -304,7 +312,8 @@ Part = tuple[int, float, list[str]]
 def _variables(model: Model, task: OptimumTask) -> tuple[list[Part], list[Variable]]:
     """Parts and bounds of the variables; all faults at once."""
     parts: list[Part] = []
-    found, faults = [], []
+    found: list[Variable] = []
+    faults: list[Fault] = []
     owner: dict[tuple[str | int, ...], str] = {}
     for name, one in task.variables.items():
         try:

@@ -17,15 +17,14 @@ from kinetruss.design.optimum.contradictions import contradiction
 from kinetruss.design.optimum.evaluations import FEASIBLE, Evaluations
 from kinetruss.design.optimum.working_limits import ALL, NEAR, Found, optimum
 from kinetruss.design.optimum_folder import opened
-from kinetruss.design.optimum_result import Optimum, contradiction_words, made
+from kinetruss.design.optimum_result import Optimum, contradiction_words, made, question
 from kinetruss.design.section_choice import chosen
 from kinetruss.design.under_mission import listed, under
-from kinetruss.errors import AnalysisError, Fault, InputError, ModelError
-from kinetruss.io import read_optimum
+from kinetruss.errors import AnalysisError, Fault, InfeasibleError, InputError, ModelError
+from kinetruss.io import read, read_optimum, set_values
 from kinetruss.io.values import fitting
 from kinetruss.io.yaml_text import MAX_SIZE
 from kinetruss.model import Mission, Model, OptimumLimit, OptimumTask, OptimumVariable
-from kinetruss.runs.variant_sets import Base
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray
@@ -66,7 +65,8 @@ def optimise(
     Raises
     ------
     ModelError : faults of the task: unknown paths, bounds that the model refuses, units, variables that do nothing.
-    AnalysisError : nothing within the bounds keeps all limits; the smallest set of those that exclude each other is named.
+    InfeasibleError : nothing within the bounds keeps all limits; the smallest set of those that exclude each other is named.
+    AnalysisError : an analysis failed, or the search lost its way.
     KeyboardInterrupt : before anything was found that keeps all limits.
 
     Notes
@@ -102,7 +102,7 @@ def optimise(
             Fault(("variables", name), "changes neither the objective nor any limit.", "Leave it out, or name another path.")
             for name in idle
         ])  # fmt: skip
-    with nullcontext() if out is None else opened(Path(out), given, task, overwrite=overwrite) as folder:
+    with nullcontext() if out is None else opened(Path(out), given, task, question(function), overwrite=overwrite) as folder:
         asked = Evaluations(function.problem, None if folder is None else folder.evaluations, progress)
         result = _searched(function, asked, progress, began)
         if mission is not None and result.certificate.feasible and not result.state:
@@ -114,11 +114,12 @@ def optimise(
 
 def model_for(task: OptimumTask, model: Model | str | Path, max_size: int = MAX_SIZE) -> Model:
     """The model of a task, or its file, with the values that the task sets."""
-    base = Base(model, max_size)
-    built = {path: value for path, value in task.set.items() if path.startswith("library.")}
-    plain = base.with_(built)
-    own = {path: value for pattern, value in task.set.items() if pattern not in built for path in fitting(plain, pattern)}
-    return base.with_(built | own)
+    found = model if isinstance(model, Model) else read(model, max_size=max_size)
+    for first in (True, False):  # on parameters depends which parts there are
+        patterns = {one: value for one, value in task.set.items() if one.startswith(("library.", "parameters.")) is first}
+        if own := {path: value for pattern, value in patterns.items() for path in fitting(found, pattern)}:
+            found = set_values(found, own)
+    return found
 
 
 def _task(variables: Any, objective: str, constraints: Any, options: Mapping[str, Any]) -> OptimumTask:
@@ -204,7 +205,7 @@ def _refuse(function: ModelFunction, asked: Evaluations) -> None:
             at = _given(function, nearest)
             raise AnalysisError(f"The search lost its way, but limits can be kept. Start it nearer, for example at {at}.")
         raise AnalysisError("The search did not end at a point that keeps all limits. Give other starts, or wider bounds.")
-    raise AnalysisError(contradiction_words(function, kept, nearest, worst))
+    raise InfeasibleError(contradiction_words(function, kept, nearest, worst))
 
 
 def _given(function: ModelFunction, p: NDArray[np.float64]) -> str:

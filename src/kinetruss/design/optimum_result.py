@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from functools import cached_property
 from typing import TYPE_CHECKING, Any
@@ -24,8 +24,8 @@ if TYPE_CHECKING:
     from numpy.typing import NDArray
 
     from kinetruss.design.model_function import ModelFunction
-    from kinetruss.design.under_mission import Listed
     from kinetruss.design.optimum.problem import Problem
+    from kinetruss.design.under_mission import Listed
 
 SHARE = 0.01
 """Of a limit, by which it is moved in words."""
@@ -46,15 +46,34 @@ class ActiveLimit:
     bound: bool
 
 
+@dataclass(frozen=True, slots=True, kw_only=True)
+class LimitUse:
+    """How far a side of a limit is used, in one load case.
+
+    name : of the limit; subject : what its worst value is of; value, before : this value at the end and at the start; limit;
+    side : ``most`` or ``least``; unit. left : to the limit, as a share of it; negative if it is exceeded.
+    """
+
+    name: str
+    subject: str
+    value: float
+    before: float
+    limit: float
+    side: str
+    unit: str
+    left: float
+
+
 @dataclass(frozen=True, kw_only=True, eq=False)
 class Optimum:
     """What an optimum search found.
 
     model : with the values. values : of the variables, SI. objective, unit : the response that was made small. before : its
-    value at the start. certificate : to first order. active : limits and bounds reached, the dearest first. history : a step
-    for each analysis. analyses : points; computed : values and gradients that were not known from an earlier run; seconds.
-    state : "" done, or ``interrupted``. proof : of a choice from lists, by branch and bound; relaxed : the optimum without
-    lists, from which it was chosen. listed : with parts from the catalogues of the mission, if there is one.
+    value at the start. certificate : to first order. active : limits and bounds reached, the dearest first. limits : how far
+    each is used. history : a step for each analysis. analyses : points; computed : values and gradients that were not known
+    from an earlier run; seconds. state : "" done, or ``interrupted``. proof : of a choice from lists, by branch and bound;
+    relaxed : the optimum without lists, from which it was chosen. listed : with parts from the catalogues of the mission, if
+    there is one.
     """
 
     model: Model
@@ -65,6 +84,7 @@ class Optimum:
     before: float
     certificate: Certificate
     active: tuple[ActiveLimit, ...]
+    limits: tuple[LimitUse, ...]
     history: tuple[Step, ...]
     analyses: int
     computed: int
@@ -78,6 +98,15 @@ class Optimum:
 
     def __post_init__(self) -> None:
         read_only(self)
+
+    @property
+    def certified(self) -> bool:
+        """Whether it may be called an optimum: the search ended where the conditions hold, or with a choice from lists."""
+        return not self.state and (self.certificate.first_order or (self.certificate.feasible and self.relaxed is not None))
+
+    def variable_unit(self, name: str) -> str:
+        """The SI unit in which a variable was given."""
+        return _unit(self.task, name)
 
     @property
     def sentence(self) -> str:
@@ -130,7 +159,7 @@ class Optimum:
             "cost": self.proof.cost, "bound": self.proof.bound, "gap": self.proof.gap, "closed": self.proof.closed,
             "boxes": self.proof.boxes, "programs": self.proof.programs, "seconds": self.proof.seconds,
         }  # fmt: skip
-        own = ("objective", "unit", "before", "analyses", "computed", "seconds", "state", "relaxed")
+        own = ("objective", "unit", "before", "analyses", "computed", "seconds", "state", "certified", "relaxed")
         return {
             "title": self.task.title, "least": self.task.least, **{name: getattr(self, name) for name in own},
             "values": dict(self.values), "sentence": self.sentence, "notes": list(self.notes), "proof": proof,
@@ -141,6 +170,7 @@ class Optimum:
             },
             "active": [{name: getattr(one, name) for name in ActiveLimit.__slots__} for one in self.active],
             "listed": None if self.listed is None else _listed_record(self.listed),
+            "limits": [{name: _finite(getattr(one, name)) for name in LimitUse.__slots__} for one in self.limits],
             "history": [[one.analyses, one.objective, one.worst if math.isfinite(one.worst) else None] for one in self.history],
             "provenance": dict(self.provenance),
         }  # fmt: skip
@@ -169,6 +199,7 @@ def made(
         before=asked.values(problem.start)[0],
         certificate=proven,
         active=_active(problem, proven),
+        limits=tuple(_uses(function, p)),
         history=tuple(asked.history),
         analyses=asked.analyses,
         computed=asked.computed,
@@ -179,6 +210,44 @@ def made(
         notes=tuple(notes),
         provenance=provenance(model, before=provenance(function.model)["model"]),
     )
+
+
+def question(function: ModelFunction) -> dict[str, Any]:
+    """What a task asks, as plain data in SI units."""
+    task = function.task
+    own = ("title", "least", "analysis", "method", "starts")
+    return {
+        **{name: getattr(task, name) for name in own}, "unit": function.unit,
+        "model": function.model.title,
+        "variables": [
+            {"name": one.name, "of": list(task.variables[one.name].of), "paths": sum(len(paths) for of, _, paths in function.parts if of == k), "lower": one.lower,
+             "upper": one.upper, "start": one.start, "unit": one.unit, "scale": one.scale,
+             "choose": list(map(float, task.variables[one.name].choose or ()))}
+            for k, one in enumerate(function.problem.variables)
+        ],
+        "limits": [
+            {"name": name, "of": one.of, "analysis": one.analysis or task.analysis, "arguments": dict(one.arguments),
+             "load_cases": list(one.load_cases or task.load_cases or ()), "unit": unit,
+             "at_least": None if one.at_least is None else float(one.at_least),
+             "at_most": None if one.at_most is None else float(one.at_most)}
+            for name, one in task.limits.items()
+            for unit in [next((block.unit for block in function.limits.blocks if block.name == name), "")]
+        ],
+    }  # fmt: skip
+
+
+def _uses(function: ModelFunction, p: NDArray[Any]) -> Iterator[LimitUse]:
+    for one, subject, value, before in function.worst(p):
+        left = -one.sign * (value - one.limit) / one.size
+        side = "most" if one.sign > 0 else "least"
+        yield LimitUse(
+            name=one.name, subject=subject, value=value, before=before, limit=one.limit, side=side, unit=one.unit, left=left
+        )
+
+
+def _finite(value: Any) -> Any:
+    """Plain data: JSON has no infinity."""
+    return None if isinstance(value, float) and not math.isfinite(value) else value
 
 
 def _active(problem: Problem, proven: Certificate) -> tuple[ActiveLimit, ...]:
@@ -211,8 +280,12 @@ def active_words(one: ActiveLimit, unit: str) -> str:
     saved = one.price * SHARE * abs(one.limit)
     if not saved > 0:
         return f"{reached}; that costs nothing"
-    wider = "more" if (one.side == "most") == (one.limit > 0) else "less"
-    return f"{reached}; 1 % {wider} would save {quantity(saved, unit)}"
+    return f"{reached}; 1 % {wider(one)} would save {quantity(saved, unit)}"
+
+
+def wider(one: ActiveLimit) -> str:
+    """Whether a limit gives way if its size is ``more`` or ``less``."""
+    return "more" if (one.side == "most") == (one.limit > 0) else "less"
 
 
 def _lines(found: Optimum) -> list[str]:

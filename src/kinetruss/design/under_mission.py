@@ -42,8 +42,10 @@ def under(model: Model, task: OptimumTask, mission: Mission | str | Path) -> tup
     if task.analysis != OptimumTask.model_fields["analysis"].default or task.arguments:
         where = "arguments" if task.arguments else "analysis"
         faults.append(Fault((where,), "is given by the runs of the mission.", "Leave it out, or name it in single limits."))
-    for place, one in [((), task), *((("limits", name), one) for name, one in task.limits.items() if one.analysis is None)]:
-        if one.load_cases is not None:
+    given_by: dict[tuple[str, ...], object] = {(): task.load_cases}
+    given_by |= {("limits", name): one.load_cases for name, one in task.limits.items() if one.analysis is None}
+    for place, cases in given_by.items():
+        if cases is not None:
             faults.append(Fault((*place, "load_cases"), "are those of the mission.", "Name them there."))
     if faults:
         raise ModelError(faults)

@@ -240,7 +240,7 @@ class Instants:
                 f"{few(self.names, 4)} is infinite at an instant, as the utilisation of a strut at its buckling load is, so it "
                 "has no gradient. Keep variables where no member buckles, or limit member_force/buckling_load: it stays finite."
             )
-        off, scale = np.abs(read - wanted)[used].max(initial=0.0), np.abs(wanted[used]).max(initial=0.0)
+        off, scale = np.abs(read[used] - wanted[used]).max(initial=0.0), np.abs(wanted[used]).max(initial=0.0)
         rows, free, rest = len(self.rows.row_member), len(self.rows.free), np.abs(equations()).max(axis=0)
         sizes = self._sizes()
         count = [self.per_state] * 3 + ([free, rows] if self.forces else [0, 0])

@@ -4,9 +4,10 @@ from __future__ import annotations
 
 from collections.abc import Iterable
 from dataclasses import replace
+from glob import escape
 from pathlib import Path
 
-from kinetruss.errors import Fault
+from kinetruss.errors import Fault, InputError
 from kinetruss.io.records import MODEL_KEYS, record_of_file
 from kinetruss.io.yaml_text import MAX_SIZE, locate, parse, read_text
 from kinetruss.model import OptimumTask
@@ -38,7 +39,27 @@ def read_optimum(path: str | Path, *, max_size: int = MAX_SIZE) -> OptimumTask:
     others = dict.fromkeys(MODEL_KEYS, ("is a model, not the task of an optimum.", "A task names it: model: FILE."))
     others["kinetruss_mission"] = ("is a mission, not the task of an optimum.", "Size it by kinetruss size.")
     task = record_of_file(path, lambda data: OptimumTask(**data), START, others, max_size)
-    return task.with_(**{one: str(path.parent / own) for one in ("model", "mission") if (own := getattr(task, one)) is not None})
+    return task.with_(
+        **{one: str(path.parent / own) for one in ("model", "mission") if (own := getattr(task, one)) is not None}
+    )
+
+
+def optimum_file(path: Path, max_size: int = MAX_SIZE) -> Path:
+    """The file of a task: the one that is given, or if that is a model NAME.yaml, the one beside it, NAME.optimum.yaml.
+
+    Raises
+    ------
+    InputError : none stands beside the model, or several do (NAME.WHAT.optimum.yaml). ModelError : no file, no YAML.
+    """
+    tree, _ = parse(path, read_text(path, max_size))
+    if tree is None or not any(key in (tree.table or {}) for key in MODEL_KEYS):
+        return path
+    found = [one for one in sorted(path.parent.glob(f"{escape(path.stem)}.*")) if one.suffixes[-2:-1] == [".optimum"]]
+    if len(found) == 1:
+        return found[0]
+    if not found:
+        raise InputError(f"{path} is a model, and no task stands beside it as {path.stem}.optimum.yaml. Write one. {START}")
+    raise InputError(f"{path} is a model with {len(found)} tasks beside it: {', '.join(one.name for one in found)}. Name one.")
 
 
 def placed_in(path: str | Path, faults: Iterable[Fault]) -> list[Fault]:

@@ -22,12 +22,14 @@ Text = Annotated[str, Field(min_length=1, max_length=1000)]
 
 
 def _plain(value: Any) -> Any:
-    """A value as a file has it, as text: true and false, numbers."""
+    """A value as a file has it, as text: true and false, whole numbers, numbers."""
     if isinstance(value, dict):
         return {key: _plain(one) for key, one in value.items()}
     if value in ("true", "false"):
         return value == "true"
-    return float(value) if isinstance(value, str) and NUMBER.fullmatch(value) else value
+    if not isinstance(value, str) or not NUMBER.fullmatch(value):
+        return value
+    return int(value) if value.lstrip("+-").isdecimal() else float(value)
 
 
 def unit_given(value: float) -> str | None:

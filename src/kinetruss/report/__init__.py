@@ -7,6 +7,7 @@ from kinetruss.late import late
 if TYPE_CHECKING:
     from kinetruss.report.comparisons import beside as beside, compare as compare
     from kinetruss.report.document.diagram_pages import diagrams as diagrams, diagrams_page as diagrams_page
+    from kinetruss.report.document.optimum_report import optimum_page as optimum_page
     from kinetruss.report.document.run_report import document_page as document_page, lines as lines
     from kinetruss.report.document.sizing_report import read_sizing as read_sizing, sizing_page as sizing_page
     from kinetruss.report.document.writing import write_document as write_document, write_page as write_page

@@ -12,7 +12,7 @@ import numpy as np
 from matplotlib.backends.backend_agg import FigureCanvasAgg
 from matplotlib.figure import Figure as Canvas
 
-from kinetruss.display import Table, counted, number, scale
+from kinetruss.display import Table, counted, number, quantity, scale
 from kinetruss.display.tables import mixed, words
 from kinetruss.report.page import Page
 from kinetruss.report.pictures.draw import write
@@ -24,6 +24,8 @@ if TYPE_CHECKING:
 
 MOST = 12
 """Variants without numbers that are listed; most panels of a row or column of a picture."""
+MOST_OPTIMA = 40
+"""Optima that are listed."""
 BINS = 30
 MANY = 5000
 """Points from which on a vector picture has them as pixels."""
@@ -79,6 +81,8 @@ def _rows(found: StudyResult) -> Iterable[list[Any]]:
 
 def _entries(found: StudyResult) -> Iterable[Entry]:
     yield _said(found)
+    if not found.run:
+        yield _optima(found)
     spread = found.summary.spread
     rows = [
         {"result": name, "unit": found.data[name].attrs.get("units", ""), "nominal": found.nominal.get(name), **spread[name]}
@@ -95,9 +99,29 @@ def _entries(found: StudyResult) -> Iterable[Entry]:
     yield _without(found)
 
 
+def _optima(found: StudyResult) -> Table:
+    """Every variant that is done, and what decides its optimum."""
+    rows = []
+    for k in np.flatnonzero(found.status != "").tolist():
+        values, message = _values(found, k, found.variables), str(found.data["message"].values[k])
+        state = found.status[k].lower()
+        if found.good[k]:
+            first, unit = found.results[0], found.data[found.results[0]].attrs.get("units", "")
+            rows.append((*values, quantity(found.data[first].values[k], unit), message))
+        else:
+            rows.append((*values, state, ""))
+    return Table((*found.variables, *found.results[:1], "decided by"), rows, "Optima", most=(MOST_OPTIMA, MOST_OPTIMA))
+
+
+def _values(found: StudyResult, k: int, names: Iterable[str]) -> list[str]:
+    """The values of the variables of a row, with the units in which they were given."""
+    values = ((found.data[name].values[k], found.data[name]) for name in names)
+    return [f"{one:.6g} {of.attrs.get('units', '')}".strip() if of.dtype.kind == "f" else str(one) for one, of in values]
+
+
 def _said(found: StudyResult) -> str:
     count, good, left = len(found.good), int(found.good.sum()), len(found.good) - found.done
-    text = f"{counted(count, 'variant')} of run {found.run}: "
+    text = f"{counted(count, 'variant')} of {found.what}: "
     text += "all have numbers." if good == count else f"{good} have numbers."
     if found.failures:
         text += " " + ", ".join(f"{k} {status.lower().replace('_', ' ')}" for status, k in found.failures.items()) + "."
@@ -225,7 +249,7 @@ def _distributions(found: StudyResult, results: list[str]) -> Canvas:
             ax.axvline(float(np.quantile(known, share)), color=INK, linewidth=0.8, linestyle=(0, (3, 2)))
         ax.set_xlabel(label)
         ax.set_ylabel("variants")
-    axes[0, 0].set_title(f"{found.title or found.run}: distributions; dashed 5 %, median, 95 %")
+    axes[0, 0].set_title(f"{found.title or found.what}: distributions; dashed 5 %, median, 95 %")
     return canvas
 
 

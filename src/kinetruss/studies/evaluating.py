@@ -10,16 +10,19 @@ from functools import lru_cache
 from threading import Lock
 from typing import Any
 
-from kinetruss.errors import KinetrussError, plain
+from kinetruss.errors import InfeasibleError, KinetrussError, plain
 from kinetruss.io import MAX_SIZE
 from kinetruss.model import Model
 from kinetruss.runs.variant_sets import Base
 from kinetruss.studies.brief_runs import LEVELS, brief
 from kinetruss.studies.kept_numbers import Kept
+from kinetruss.studies.optima import Numbers, Tasks, optimum_of
 from kinetruss.studies.side_by_side import Copies
 
-REFUSED, FAILED, DIED = "REFUSED", "FAILED", "DIED"
-"""Status of a variant without a run: the model does not allow its values; it raised an error; its process died."""
+REFUSED, FAILED, DIED, INFEASIBLE = "REFUSED", "FAILED", "DIED", "INFEASIBLE"
+"""Status of a variant without a run: the model does not allow its values; it raised an error; its process died; of an optimum,
+which is a result: no design keeps all limits.
+"""
 
 
 @dataclass(frozen=True, slots=True)
@@ -39,8 +42,8 @@ class Outcome:
 @dataclass(frozen=True)
 class Task:
     """All that a process needs for the variants of a study. model : a model as JSON, or the path of its file, if a parameter of
-    its library is a variable. results : name -> text. level : how much
-    of a run these need (`brief_runs`).
+    its library is a variable. results : name -> text. level : how much of a run these need (`brief_runs`). optimum : the text
+    of a task, of which each variant is an optimum in place of a run.
     """
 
     model: str
@@ -48,6 +51,7 @@ class Task:
     results: tuple[tuple[str, str], ...]
     path: str = ""
     level: str = LEVELS[0]
+    optimum: str = ""
     max_size: int = MAX_SIZE
 
 
@@ -77,7 +81,7 @@ def evaluate(task: Task, rows: Rows) -> list[Outcome]:
 def ready(task: Task, rows: Rows) -> tuple[Base, Kept, Copies | None]:
     """What a process keeps for the rows of a study; copies of the model beside each other for many rows, if they are good."""
     base, kept = _prepared(task)
-    together = len(rows) >= LEAST and task.level == LEVELS[0] and not kept.judged
+    together = len(rows) >= LEAST and not task.optimum and task.level == LEVELS[0] and not kept.judged
     return base, kept, _copies(task, tuple(rows[0][1])) if together else None
 
 
@@ -124,12 +128,16 @@ def _together(base: Base, task: Task, kept: Kept, copies: Copies, rows: Rows) ->
 
 
 @lru_cache(maxsize=4)
-def _prepared(task: Task) -> tuple[Base, Kept]:
-    model = task.path or Model.model_validate_json(task.model)
-    return Base(model, task.max_size), Kept(dict(task.results))
+def _prepared(task: Task) -> tuple[Any, Any]:
+    """The base of the variants, and what keeps the numbers."""
+    base = Base(task.path or Model.model_validate_json(task.model), task.max_size)
+    if not task.optimum:
+        return base, Kept(dict(task.results))
+    tasks = Tasks(base, task.optimum)
+    return tasks, Numbers(tasks.task, dict(task.results))
 
 
-def evaluated(base: Base, task: Task, kept: Kept, row: int, values: Mapping[str, Any]) -> Outcome:
+def evaluated(base: Base | Tasks, task: Task, kept: Kept | Numbers, row: int, values: Mapping[str, Any]) -> Outcome:
     """The outcome of one row."""
     started = time.thread_time()
     try:
@@ -139,15 +147,20 @@ def evaluated(base: Base, task: Task, kept: Kept, row: int, values: Mapping[str,
     return outcome_of(model, task, kept, row, started)
 
 
-def outcome_of(model: Model, task: Task, kept: Kept, row: int, started: float) -> Outcome:
-    """The outcome of the run of a model."""
+def outcome_of(model: Any, task: Task, kept: Kept | Numbers, row: int, started: float) -> Outcome:
+    """The outcome of the run of a model; of a model and a task, of their optimum."""
     status, message, numbers = FAILED, "", None
     try:
+        if isinstance(kept, Numbers):
+            best, message = optimum_of(model)
+            return Outcome(row, "COMPLETED", plain(message), time.thread_time() - started, kept(best), kept.units)
         found = brief(model, task.run, task.level, kept.judged)
         early = found.partial
         status, message = found.status.name, " ".join(filter(None, (early and f"{early}.", found.message)))
         # what ends early, and a mission without some of its pairs, has no numbers
         numbers = None if early else kept(found)
+    except InfeasibleError as error:
+        status, message = INFEASIBLE, str(error)
     except KinetrussError as error:
         status, message = FAILED, str(error)
     except Exception as error:  # noqa: BLE001 - whatever a model raises is told of that model, and the study goes on

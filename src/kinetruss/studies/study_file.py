@@ -20,7 +20,7 @@ from kinetruss.model.words import faults_of
 from kinetruss.units import NUMBER
 
 FORMAT = 1
-START = "Start with kinetruss_study: 1, then model, run, variables, sample, results."
+START = "Start with kinetruss_study: 1, then model, run or optimum, variables, sample, results."
 RANDOM = ("latin_hypercube", "sobol", "monte_carlo", "saltelli")
 """Samples that are drawn, each with its number of points."""
 
@@ -148,6 +148,8 @@ class Study(Record):
     """Many variants of a run, and the numbers that are kept of each.
 
     model : a model file or a `Model`. run : a run of it, of any analysis, a mission too; may be omitted if there is only one.
+    optimum : in place of a run the file of the task of an optimum, as of `io.read_optimum`: each variant is an optimum of the
+        model. Paths that begin with ``optimum.`` change the task: ``optimum.limits.sag.at_most``.
     variables : name -> what it changes; a plain list are its values. sample : by default a grid of all `values`.
     results : name -> what is kept of every variant, e.g. ``peak: max(abs(member_force))`` (`studies.scalars`); by default its
     largest utilisation, member force, drive force and power, displacement, and its mass.
@@ -166,12 +168,15 @@ class Study(Record):
     title: str = ""
     model: Annotated[Any, BeforeValidator(_model)]
     run: Name | None = None
+    optimum: str | None = None
     variables: Table[str, Variable] = Field(default_factory=dict)
     sample: Sample | None = None
     results: Table[str, str] = Field(default_factory=dict)
 
     @model_validator(mode="after")
     def _sampled(self) -> Study:
+        if self.run is not None and self.optimum is not None:
+            raise ValueError("has a run and an optimum. Leave one of them out.")
         kind = "" if self.sample is None else self.sample.kind
         table = kind == "table"
         if not self.variables and not table:
@@ -220,8 +225,9 @@ def read_study(path: str | Path, *, max_size: int = MAX_SIZE) -> Study:
 
     def build(data: Mapping[str, Any]) -> Study:
         found = dict(data)
-        if isinstance(found.get("model"), str):
-            found["model"] = str(file.parent / found["model"])
+        for name in ("model", "optimum"):
+            if isinstance(found.get(name), str):
+                found[name] = str(file.parent / found[name])
         sample = found.get("sample")
         if isinstance(sample, dict) and isinstance(sample.get("table"), str):
             found["sample"] = sample | {"table": str(file.parent / sample["table"])}

@@ -26,7 +26,8 @@ class StudyResult:
     data : over row: the variables in the units in which they were given (attribute ``units``, of bare numbers ""), texts as
         they are; the results in SI, NaN without a number; ``status``, ``message``, ``seconds`` of processor time.
         ``data.to_dataframe()`` is a table of pandas.
-    variables, results : their names. nominal : results of the model as it is, if it was done. title, run : of the study.
+    variables, results : their names. nominal : results of the model as it is, if it was done. title, run : of the study; run is
+    empty if each variant is an optimum, of which status ``INFEASIBLE`` is a result too.
     base_points : of Saltelli's design, else 0. path : the folder, or None.
     """
 
@@ -43,7 +44,12 @@ class StudyResult:
         read_only(self)
 
     def __repr__(self) -> str:
-        return f"<Study of run {self.run!r}: {int(self.good.sum())} of {len(self.good)} variants have numbers>"
+        return f"<Study of {self.what}: {int(self.good.sum())} of {len(self.good)} variants have numbers>"
+
+    @property
+    def what(self) -> str:
+        """What is done of every variant, in words."""
+        return f"run {self.run}" if self.run else "an optimum"
 
     @property
     def status(self) -> NDArray[np.str_]:

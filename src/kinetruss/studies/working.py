@@ -15,6 +15,7 @@ from kinetruss.errors import Fault, InputError, ModelError
 from kinetruss.io import MAX_SIZE, placed
 from kinetruss.io.exporting import needed
 from kinetruss.io.values import resolved
+from kinetruss.io.yaml_text import read_text
 from kinetruss.limits import whole
 from kinetruss.model import Model
 from kinetruss.runs.plans import chosen_run
@@ -24,6 +25,7 @@ from kinetruss.studies.brief_runs import LEVELS
 from kinetruss.studies.evaluating import DIED, FAILED, Outcome, Rows, Task, evaluate, outcome_of, ready
 from kinetruss.studies.kept_numbers import Kept
 from kinetruss.studies.ledger import PAUSE, Contents, Ledger, claimed, in_memory, write_parquet
+from kinetruss.studies.optima import OPTIMUM, Numbers, Tasks
 from kinetruss.studies.sampling import points_of
 from kinetruss.studies.study_file import Study, study_of
 from kinetruss.studies.study_result import StudyResult, result_of
@@ -110,10 +112,9 @@ def run_study(
     given = study_of(study, max_size)
     if workers is not None:
         whole(workers, "workers", least=0)
-    kept = Kept(given.results)
     parquet = None if out is None else (needed("pyarrow", "export", "A study"), needed("pyarrow.parquet", "export", "A study"))
     try:
-        job = _Job(given, kept, points, max_size)
+        job = _Job(given, points, max_size)
     except ModelError as error:
         raise _placed(error, file, max_size) from None
     with _executor(workers, cluster) as (executor, count), _ledger(out, job, overwrite) as ledger:
@@ -143,21 +144,28 @@ def _ledger(out: str | Path | None, job: _Job, overwrite: bool) -> AbstractConte
 class _Job:
     """A study that was checked: its base, its points, and what its numbers depend on."""
 
-    def __init__(self, study: Study, kept: Kept, cube: ArrayLike | None, max_size: int) -> None:
-        self.study, self.kept = study, kept
-        self.base = Base(study.model, max_size)
-        model = self.base.with_({})
-        self.run = chosen_run(model, study.run)
+    def __init__(self, study: Study, cube: ArrayLike | None, max_size: int) -> None:
+        self.study = study
+        self.base: Base | Tasks = Base(study.model, max_size)
+        self.kept: Kept | Numbers = Kept(study.results)
+        model, optimum = self.base.with_({}), ""
+        if study.optimum is not None:
+            optimum = read_text(Path(study.optimum), max_size)
+            self.base = Tasks(self.base, optimum)
+            self.kept = Numbers(self.base.task, study.results)
+        self.run = "" if optimum else chosen_run(model, study.run)
         self.points = points_of(study, cube)
         self.paths = {name: study.paths_of(name) for name in self.points.names}
         self._check_paths(model)
+        kept = self.kept
         built = any(path.startswith("library.") for paths in self.paths.values() for path in paths)
         text = model.model_dump_json()
         file = str(Path(study.model).absolute()) if built and isinstance(study.model, str) else ""
-        self.task = Task("" if file else text, self.run, tuple(kept.texts.items()), file, max_size=max_size)
+        self.task = Task("" if file else text, self.run, tuple(kept.texts.items()), file, optimum=optimum, max_size=max_size)
         whole = {
             "model": text,
             "run": self.run,
+            **({"optimum": optimum} if optimum else {}),
             "variables": {name: list(paths) for name, paths in self.paths.items()},
             "points": [list(self.points.units), [list(row) for row in self.points.rows]],
             "results": dict(kept.texts),
@@ -165,7 +173,7 @@ class _Job:
         }
         saltelli = 0 if study.sample is None or cube is not None else study.sample.saltelli or 0
         results = {name: (text, kept.units.get(name, "")) for name, text in kept.texts.items()}
-        more = {"title": study.title, "base points": saltelli}
+        more = {"title": study.title or (self.base.task.title if isinstance(self.base, Tasks) else ""), "base points": saltelli}
         self.contents = Contents(whole=whole, more=more, points=self.points, results=results)
 
     def _check_paths(self, model: Model) -> None:
@@ -175,12 +183,12 @@ class _Job:
             for path in paths:
                 if owner.setdefault(path, name) != name:
                     faults.append(Fault(("variables", name), f"sets {path!r}, as {owner[path]!r} does.", "Leave one out."))
-                if not path.startswith("library."):
+                if not path.startswith(("library.", OPTIMUM if self.study.optimum is not None else "library.")):
                     faults += _unknown(model, name, path)
         if faults:
             raise ModelError(faults)
         self._check_values()
-        for name in self.paths:
+        for name in self.paths if self.study.optimum is None else ():
             pair = self._ends(name)
             if pair and _used(pair[0], self.run) == _used(pair[1], self.run):
                 mend = f"Remove it, or change what run {self.run!r} depends on."
@@ -206,7 +214,7 @@ class _Job:
                 raise ModelError([Fault(path, f"{one.path[-1]}: {one.message}", one.mend) for one in faults]) from None
         raise refused[0]
 
-    def _ends(self, name: str) -> tuple[Model, Model] | None:
+    def _ends(self, name: str) -> tuple[Any, Any] | None:
         """The base with two values of one variable; None if it has one alone, or they are not allowed by themselves."""
         k = self.points.names.index(name)
         column = [row[k] for row in self.points.rows]
@@ -247,7 +255,7 @@ class _Job:
         else:
             raise InputError(found.message)
         ledger.note("level", self.task.level)
-        if check and local:
+        if check and local and self.study.optimum is None:
             self._check_influence(found)
         ledger.note("nominal", {name: getattr(found, name) for name in Outcome.__dataclass_fields__})
         return found

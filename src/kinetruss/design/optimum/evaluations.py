@@ -137,3 +137,20 @@ def _stored(file: Path) -> dict[str, tuple[NDArray[np.float64], NDArray[np.float
     with file.open("rb+") as cut:
         cut.truncate(good)
     return found
+
+
+def history_of(file: Path) -> list[list[float | None]]:
+    """Number, objective and largest excess (None without limits) of all values that a file knows, as they were computed."""
+    found: list[list[float | None]] = []
+    if not file.exists():
+        return found
+    with file.open("rb") as lines:
+        for line in lines:
+            try:
+                key, one, more = json.loads(line)
+                if key.startswith("v"):
+                    excess = _unpacked(more)
+                    found.append([len(found) + 1, float(_unpacked(one)), float(excess.max()) if excess.size else None])
+            except (ValueError, zlib.error):
+                break
+    return found
