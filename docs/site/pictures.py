@@ -27,6 +27,7 @@ FLAGS = ["--no-sandbox", "--use-gl=angle", "--use-angle=swiftshader", "--enable-
 EXAMPLE: dict[str, dict[str, Any]] = {
     "slewing_experiments": {"run": "experiment_1", "at": (0, 0.5, 1), "width": 110},
     "mast": {"at": (0, 0.5, 1), "width": 110},
+    "balanced_arm": {"at": (0, 0.25, 0.5), "width": 90, "paths": ["T"]},
     "planar_crane": {"at": (0, 0.5, 1), "width": 90, "paths": ["B8.N3"]},
     "facade": {"at": (0, 1), "width": 90, "case": "wind"},
     "wind_tower": {"at": (1,), "width": 90, "colour": "force"},

@@ -185,3 +185,4 @@ def test_balanced_arm():
         np.testing.assert_allclose(run.model.nodes[node].at, found.model.nodes[node].at, atol=2e-3)
     loaded, empty = (np.abs(forces.drive_force).max().item() for forces in kt.run(found.model).forces.values())
     assert loaded == pytest.approx(empty, rel=0.01)
+    assert f"to {max(loaded, empty):.1f} N m" in OPTIMUM
