@@ -18,7 +18,7 @@ from kinetruss.mechanics.positions import drive_values, row_values
 from kinetruss.model import LengthDrive, Model, of_file
 from kinetruss.statics.search import projected, row_errors
 from kinetruss.studio.edits import SOFT
-from kinetruss.studio.poses import CLOSED, EXACT, LARGEST, MANY, alarms_of, at_rest
+from kinetruss.studio.poses import CLOSED, EXACT, LARGEST, MANY, at_rest, strength_of
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray
@@ -95,7 +95,8 @@ class Judged:
 
     model : None if the data have faults. position : (n_nodes, dim), m, the drawn or closed pose. moved : nodes that
     closing has moved. apart : lengths that do not fit, name -> (drawn, given), m. mobility, forces : None if they were
-    not computed; `why` says why there are no forces. warnings : kind and text.
+    not computed; `why` says why there are no forces. warnings : kind and text. used : utilisation of the members whose strength
+    was checked.
     """
 
     faults: list[Fault] = field(default_factory=list)
@@ -109,6 +110,7 @@ class Judged:
     why: str = ""
     warnings: list[tuple[str, str]] = field(default_factory=list)
     alarms: list[str] = field(default_factory=list)
+    used: dict[str, float] = field(default_factory=dict)
 
 
 def judged(data: Mapping[str, Any], fine: bool = True, last: Judged | None = None) -> Judged:
@@ -148,10 +150,11 @@ def judged(data: Mapping[str, Any], fine: bool = True, last: Judged | None = Non
     mobility = mobility_at(system, x, beam_deformations)
     forces, why = _forces(model, system, position, mobility, fine)
     warnings = _warnings(system, mobility)
-    alarms = alarms_of(model, forces) if forces is not None and (fine or len(model.members) <= MANY) else []
+    checked = forces is not None and (fine or len(model.members) <= MANY)
+    alarms, used = strength_of(model, forces) if checked and forces is not None else ([], {})
     return Judged(
         model=model, position=position, moved=moved, drives=drives, mobility=mobility, forces=forces, why=why,
-        warnings=warnings, alarms=alarms,
+        warnings=warnings, alarms=alarms, used=used,
     )  # fmt: skip
 
 

@@ -40,6 +40,7 @@ Count = Annotated[int, Field(ge=1, le=200)]
 Samples = Annotated[int, Field(ge=2, le=2001)]
 Number = Annotated[int, Field(ge=1)]
 Words = Annotated[str, Field(max_length=200)]
+Changes = Annotated[tuple[tuple[Path, Any], ...], Field(min_length=1, max_length=200)]
 Long = Annotated[str, Field(max_length=LARGE)]
 
 
@@ -247,6 +248,15 @@ def set_(session: Session, path: Path, value: Any = None, typed: bool = False) -
     else:
         data = edits.with_value(session.data, path, new)
     return session.take(data, f"setting {'.'.join(path)}")
+
+
+@message
+def change(session: Session, changes: Changes, words: Words) -> Answer:
+    """Set values at several paths of the data in one step: what a tool of the page draws. words : what the step is called."""
+    data = session.data
+    for path, value in changes:
+        data = edits.with_value(data, path, value)
+    return session.take(data, words)
 
 
 @message

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+import math
 import time
 from contextlib import suppress
 from itertools import pairwise
@@ -13,7 +14,9 @@ import numpy as np
 from kinetruss.errors import Fault, InputError, UnitError
 from kinetruss.io.writing import located
 from kinetruss.mechanics import compile
-from kinetruss.model import NodalForce, turns
+from kinetruss.model import MemberLoad, MemberPointForce, NodalForce, turns
+from kinetruss.model.links import length_along
+from kinetruss.model.loads_along import fraction
 from kinetruss.results.user_parts import clamps
 from kinetruss.shelves import shelf, shelves
 from kinetruss.strength.curves import curves, factor_of, quantities_shown, sentence
@@ -216,6 +219,7 @@ def drawing_of(session: Shown, light: bool = False) -> Record:
         "warnings": [{"kind": kind, "text": text} for kind, text in _warnings(found, _floats(data))],
         "missing": _missing(drawing),
         "alarms": found.alarms,
+        "used": found.used,
         "mobility": _mobility(found, light),
         "drives": _drives(found),
         **_forces(
@@ -364,12 +368,33 @@ def _kind(drawing: Drawing, name: str) -> str:
     return "driven" if name in (drawing.state.data.get("active") or {}) else "rigid"
 
 
-def _loads(found: Judged) -> list[dict[str, Any]]:
-    model = found.model
-    return [] if model is None else [
-        {"name": name, "node": load.node, "force": list(load.force)}
-        for name, load in model.loads.items() if isinstance(load, NodalForce) and load.force is not None
-    ]  # fmt: skip
+def _loads(found: Judged) -> list[Record]:
+    """Constant forces: on a node, N; at a share `at` of a member, N; along a member between two shares of it (`span`), N/m, by
+    its `shape` there. turns : the components are along the axes of the member.
+    """
+    model, rows = found.model, list[Record]()
+    for name, load in ({} if model is None else model.loads).items():
+        if isinstance(load, NodalForce) and load.force is not None:
+            rows.append({"name": name, "node": load.node, "force": list(load.force)})
+        elif model is not None and isinstance(load, MemberLoad | MemberPointForce) and load.force is not None:
+            row: Record = {"name": name, "member": load.member, "force": list(load.force), "turns": load.axes == "member"}
+            length = _length(model, load.member)
+            if isinstance(load, MemberPointForce):
+                row["at"] = fraction(load.at, length)
+            else:
+                first, last = (fraction(one, length) for one in (load.start or 0.0, "100 %" if load.end is None else load.end))
+                row |= {"span": [first, last], "shape": list(load.shape)}
+            rows.append(row)
+    return rows
+
+
+def _length(model: Model, member: str) -> float:
+    """Of a member as drawn, m: of a link from pin to pin."""
+    own = model.links.get(member) or model.beams.get(member)
+    if own is not None:
+        return length_along(model, own)
+    a, b = model.members[member].ends
+    return math.dist(model.nodes[a].at, model.nodes[b].at)
 
 
 def _drives(found: Judged) -> list[dict[str, Any]]:
@@ -383,7 +408,8 @@ def _drives(found: Judged) -> list[dict[str, Any]]:
     records = found.model.all_drives
     return [
         {"name": name, "unit": "rad" if turns(records[name]) else "m", "value": value, "force": held.get(name),
-         "bar": getattr(records[name], "bar", None)}
+         "bar": getattr(records[name], "bar", None), "node": getattr(records[name], "node", None),
+         "axis": getattr(records[name], "axis", None)}
         for name, value in found.drives.items()
     ]  # fmt: skip
 
