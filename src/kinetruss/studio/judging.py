@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Collection, Mapping, Sequence
 from dataclasses import dataclass, field
 from itertools import pairwise
 from typing import TYPE_CHECKING, Any
@@ -38,10 +38,12 @@ LISTED_NODES = 4
 """Largest number of sentences."""
 
 
-def loose_ends(places: Mapping[str, Sequence[float]], members: Mapping[str, Sequence[str]]) -> list[str]:
+def loose_ends(
+    places: Mapping[str, Sequence[float]], members: Mapping[str, Sequence[str]], slides: Collection[str] = ()
+) -> list[str]:
     """Sentences about nodes that lie on members, or on other nodes, without being joined to them.
 
-    places : node -> place, m. members : name -> its two ends, or the nodes of a link.
+    places : node -> place, m. members : name -> its two ends, or the nodes of a link. slides : nodes that may lie on members.
 
     >>> places = {"A": [0, 0], "B": [2, 0], "C": [1, 0], "D": [1, 1]}
     >>> loose_ends(places, {"b1": ["A", "B"], "b2": ["C", "D"]})
@@ -55,7 +57,7 @@ def loose_ends(places: Mapping[str, Sequence[float]], members: Mapping[str, Sequ
     for name, place in zip(names, np.round(x / near), strict=True):
         same.setdefault((place + 0.0).tobytes(), []).append(name)
     found = [f"{' and '.join(some)} are at the same place but are not joined." for some in same.values() if len(some) > 1]
-    for node, name in on_members(places, members):
+    for node, name in (one for one in on_members(places, members) if one[0] not in slides):
         mend = f"To join them, make {name} a link through {node}; two bars would fold there."
         found.append(f"{node} lies on {name} but is not joined to it. {mend}")
     rest = len(found) - LISTED_NODES

@@ -13,7 +13,7 @@ from pydantic import BaseModel, ConfigDict, Field, ValidationError, create_model
 
 from kinetruss.errors import InputError, KinetrussError, ModelError
 from kinetruss.model import nearest
-from kinetruss.studio import asked, beginnings, copies, drawing, edits, sweeps
+from kinetruss.studio import asked, beginnings, catalogue, copies, drawing, edits, sweeps
 from kinetruss.studio.member_kinds import switched
 from kinetruss.studio.new_parts import made, with_analysis
 from kinetruss.studio.requested_runs import Finite, FrameList, Name, Values
@@ -404,6 +404,12 @@ def choose(session: Session, number: Annotated[int, Field(ge=0, le=1000)]) -> An
 def starters(session: Session) -> Answer:
     """Drawings to begin with, and their small pictures."""
     return {"kind": "starters", "rows": list(beginnings.pictures()), "empty": not session.data.get("nodes")}
+
+
+@message
+def sections(session: Session) -> Answer:
+    """Sections to choose from, with their numbers; and densities of the materials of the library, kg/m^3."""
+    return {"kind": "sections", "rows": list(catalogue.sections()), "densities": catalogue.densities()}
 
 
 @message

@@ -14,13 +14,14 @@ import numpy as np
 from kinetruss.errors import Fault, InputError, UnitError
 from kinetruss.io.writing import located
 from kinetruss.mechanics import compile
-from kinetruss.model import MemberLoad, MemberPointForce, NodalForce, turns
+from kinetruss.model import MemberLoad, MemberPointForce, NodalForce, OffsetCoordinate, turns
 from kinetruss.model.links import length_along
 from kinetruss.model.loads_along import fraction
 from kinetruss.results.user_parts import clamps
 from kinetruss.shelves import shelf, shelves
 from kinetruss.strength.curves import curves, factor_of, quantities_shown, sentence
 from kinetruss.studio import sweeps
+from kinetruss.studio.catalogue import weights
 from kinetruss.studio.copies import CELLS
 from kinetruss.studio.edits import MEMBERS, ends_of, place_of, supports
 from kinetruss.studio.judging import LISTED_NODES, loose_ends, on_members
@@ -228,7 +229,7 @@ def drawing_of(session: Shown, light: bool = False) -> Record:
     }
     if light:
         return record
-    text = drawing.state.text
+    text, slides = drawing.state.text, _slides(found)
     return record | {
         "dim": drawing.dim,
         "nodes": list(places),
@@ -239,6 +240,7 @@ def drawing_of(session: Shown, light: bool = False) -> Record:
         "fixed": supports(data),
         "supports": _supports(found, data, drawing.dim),
         "loads": _loads(found),
+        "weights": None if found.model is None or not found.model.nodes else weights(found.model),
         "shows": [
             {"id": name, "label": one.words[0].upper() + one.words[1:]} for name, one in quantities_shown(drawing.dim).items()
         ],
@@ -246,8 +248,8 @@ def drawing_of(session: Shown, light: bool = False) -> Record:
         "text": text,
         "faults": fault_rows(located(text, found.faults)),
         "valid": found.model is not None,
-        "hints": loose_ends(places, known),
-        "pins": _pins(data, places, known),
+        "hints": loose_ends(places, known, slides),
+        "pins": _pins(data, places, known, slides),
         "file": "" if session.file is None else session.file.name,
         "dirty": drawing.state is not session.saved,
         "writable": session.folder is not None,
@@ -315,10 +317,18 @@ def _points(one: Curve) -> Record:
     }
 
 
-def _pins(data: dict[str, Any], places: dict[str, list[float]], members: dict[str, list[str]]) -> list[dict[str, str]]:
+def _slides(found: Judged) -> set[str]:
+    """Nodes that a coupling keeps on a line: on a bar they are where they belong."""
+    couplings = () if found.model is None else found.model.couplings.values()
+    return {one.point for coupling in couplings for one, _ in coupling.terms if isinstance(one, OffsetCoordinate)}
+
+
+def _pins(
+    data: dict[str, Any], places: dict[str, list[float]], members: dict[str, list[str]], slides: set[str]
+) -> list[dict[str, str]]:
     """What one click may join: nodes that lie on a bar or link, as a pin of it."""
     takes = {*(data.get("bars") or {}), *(data.get("links") or {})}
-    return [{"node": node, "member": name} for node, name in on_members(places, members) if name in takes][:LISTED_NODES]
+    return [{"node": node, "member": name} for node, name in on_members(places, members) if name in takes and node not in slides][:LISTED_NODES]
 
 
 def fault_rows(faults: list[Fault]) -> list[dict[str, Any]]:

@@ -56,6 +56,7 @@ export class Canvas {
     this.layers.nodes.replaceChildren(...this.circles);
     this.layers.names.replaceChildren(...this.tags, ...this.labels);
     this.index = new Map(state.nodes.map((name, k) => [name, k]));
+    this.coils = new Set(Object.entries(state.data.bars || {}).filter(([, one]) => one?.kind === "elastic" && one.stiffness !== undefined).map(([name]) => name));
     this.update();
   }
 
@@ -115,7 +116,7 @@ export class Canvas {
     this.bars.forEach((bar, k) => {
       const { name, ends, kind } = state.members[k];
       const [a, b] = ends.map((end) => this.at(end));
-      bar.setAttribute("d", path([a, b]));
+      bar.setAttribute("d", path(kind === "elastic" && this.coils.has(name) ? coil(a, b) : [a, b]));
       const force = forces?.[k] ?? null;
       const sure = force !== null && !unsure.has(name);
       if (shown.strength) bar.style.stroke = colour("capacity", name in used ? used[name] : NaN, [0, 1]);
@@ -123,7 +124,8 @@ export class Canvas {
       if (!quick) {
         bar.classList.toggle("picked", picked.members.has(name));
         bar.classList.toggle("apart", name in state.apart);
-        bar.classList.toggle("soft", kind === "elastic" || kind === "cable" || kind === "free");
+        bar.classList.toggle("coil", kind === "elastic" && this.coils.has(name));
+        bar.classList.toggle("soft", (kind === "elastic" && !this.coils.has(name)) || kind === "cable" || kind === "free");
       }
       if (!told && !picked.members.has(name)) return;
       this.tags[k].textContent = shown.strength && name in used && !shown.lengths ? `${name} ${quantity(used[name], "%")}` : shown.lengths || this.touches(ends) ? `${name} ${spanOf(...ends.map((end) => this.draw.at(end)), state.dim)}` : shown.force && force !== null ? `${name} ${quantity(Math.abs(force) < 1e-12 * largest ? 0 : force, "N")}${sure ? "" : " ?"}` : name;
@@ -146,17 +148,17 @@ export class Canvas {
 
   /** Names of nodes, values of loads and dimensions, names of what is picked or pointed at, and of members where there is room. */
   place(state, picked, named) {
-    const { gripped, play } = this.draw, members = state.members.map(({ ends }) => ends.map((end) => this.at(end)));
-    this.names.begin(this.seen, state.members.length <= SOME ? members : []);
+    const { gripped, play, diagram } = this.draw, members = state.members.map(({ ends }) => ends.map((end) => this.at(end)));
+    this.names.begin(this.seen, state.members.length <= SOME ? members : [], this.feet);
     if (named || gripped.size) this.labels.forEach((label, k) => (named ? this.names.node(label, this.seen[k], picked.nodes.has(state.nodes[k]) || this.isNear("node", state.nodes[k])) : label.setAttribute("display", "none")));
-    this.draw.diagram.place(this.layers.diagram, this.names.taken);
+    diagram.place(this.layers.diagram, this.names.taken);
     this.values(named);
     if (!named && !gripped.size) return;
     const rank = ({ name }) => (this.isNear("member", name) ? 2 : 0) + (picked.members.has(name) ? 1 : 0), order = state.members.map((_, k) => k).sort((a, b) => rank(state.members[b]) - rank(state.members[a]));
     const some = play.playing ? FEW : SOME;
     for (const k of order) {
       const { name, ends, goes_on: more } = state.members[k], must = !more && (rank(state.members[k]) > 0 || this.touches(ends));
-      if ((named && state.members.length <= some && !more) || must) this.names.member(this.tags[k], ...members[k], must);
+      if ((named && !diagram.found && state.members.length <= some && !more) || must) this.names.member(this.tags[k], ...members[k], must);
       else this.tags[k].setAttribute("display", "none");
     }
   }
@@ -168,7 +170,7 @@ export class Canvas {
       this.names.put(text, places.map(([x, y]) => [x, y]), 6.6 * text.textContent.length, must);
       texts.push(text);
     };
-    for (const { words, at: [x, y] } of this.measured) put(shown(words, "measure"), [[x - 3.3 * words.length, y + 4], [x + 4, y + 4], [x - 6.6 * words.length - 4, y + 4]], true);
+    for (const { words, at: [x, y], way: [u, v] } of this.measured) put(shown(words, "measure"), [0, 0.18, -0.18, 0.32, -0.32].map((share) => [x + share * u - 3.3 * words.length, y + share * v + 4]), true);
     if (named) for (const { words, tip, foot } of this.arrows.slice(0, SOME)) {
       const wide = 6.6 * words.length, down = tip[1] > foot[1] ? 15 : -6, [x, y] = tip;
       put(shown(words, "amount"), [[x - wide / 2, y + down], [x + 7, y + 4], [x - wide - 7, y + 4], [x + 7, (y + foot[1]) / 2 + 4], [x - wide - 7, (y + foot[1]) / 2 + 4], [x - wide / 2, y + 2 * down]], false);
@@ -209,6 +211,7 @@ export class Canvas {
   /** Supports, drives, loads, couplings, springs, dimensions. */
   marks(state) {
     const marks = [], at = (name) => this.at(name), ends = (name) => state.members.find((one) => one.name === name)?.ends;
+    this.feet = [];
     for (const mark of state.supports) marks.push(...this.support(mark));
     for (const drive of state.drives) marks.push(...this.drive(drive, ends));
     this.arrows = [];
@@ -258,7 +261,10 @@ export class Canvas {
     const place = this.draw.state.places[this.index.get(node)], { camera } = this.draw;
     if (!place) return [];
     const at = [place[0], place[1], place[2] || 0], faces = kind === "pin" || kind === "roller";
-    return symbolAt({ kind, along }, at, SUPPORT / camera.scale).map((line, k) => svg("path", { class: faces && k === 0 ? "support" : "support line", "data-support": node, "data-kind": kind, d: path(line.map((point) => camera.project(point))) }));
+    const lines = symbolAt({ kind, along }, at, SUPPORT / camera.scale).map((line) => line.map((point) => camera.project(point)));
+    const across = (k) => lines.flat().map((point) => point[k]);
+    this.feet.push([Math.min(...across(0)), Math.min(...across(1)), Math.max(...across(0)), Math.max(...across(1))]);
+    return lines.map((line, k) => svg("path", { class: faces && k === 0 ? "support" : "support line", "data-support": node, "data-kind": kind, d: path(line) }));
   }
 
   /** What is being drawn, and the cursor of the keys. */
@@ -340,4 +346,11 @@ function pointAt(points, share) {
   let left = share * lengths.reduce((sum, one) => sum + one, 0);
   const k = lengths.findIndex((length, i) => (left <= length + 1e-12 || i === lengths.length - 1 ? true : ((left -= length), false)));
   return points[k].map((value, i) => value + (left / (lengths[k] || 1)) * (points[k + 1][i] - value));
+}
+
+/** A coil spring between two places of the screen. */
+function coil(a, b) {
+  const [dx, dy] = [b[0] - a[0], b[1] - a[1]], far = Math.hypot(dx, dy) || 1, turns = Math.max(4, Math.min(12, Math.round(far / 14)));
+  const at = (share, side) => [a[0] + share * dx - (side * dy * 8) / far, a[1] + share * dy + (side * dx * 8) / far];
+  return [a, at(0.12, 0), ...Array.from({ length: 2 * turns }, (_, k) => at(0.12 + (0.76 * (k + 0.5)) / (2 * turns), k % 2 ? -1 : 1)), at(0.88, 0), b];
 }

@@ -74,8 +74,8 @@ export class Draw extends Talk {
     this.value = new Value(this);
     this.rail = new ToolRail(this);
     this.tools = new Hand(this);
-    const panel = el("aside", { class: "controls sketch", "aria-label": "drawing" }, el("div", { class: "head" }, this.banner, this.files.offer, this.status.node), el("div", { class: "parts" }, this.status.details, this.properties.node,
-      this.starters.node, this.task.node, this.entries.runsNode, this.entries.node, this.groups.node, this.whole.node, this.curves.node, this.picture.node, this.text.node, this.takeAway.node, this.files.node));
+    const panel = el("aside", { class: "controls sketch", "aria-label": "drawing" }, el("div", { class: "head" }, this.banner, this.files.offer, this.status.node), el("div", { class: "parts" }, this.status.details, this.properties.node, this.whole.node,
+      this.properties.freshNode, this.entries.runsNode, this.starters.node, this.task.node, this.entries.node, this.groups.node, this.curves.node, this.picture.node, this.text.node, this.takeAway.node, this.files.node));
     root.replaceChildren(this.rail.node, el("main", {}, el("div", { class: "sheet" }, el("div", { class: "sheetpane" }, this.canvas.node, this.welcome.node, this.starters.strip, this.canvas.legend, this.diagram.told, this.doing, this.readout.node, this.spoken, this.value.node, this.menu.node), this.play.node), panel));
     root.ownerDocument.addEventListener("keydown", (event) => this.rail.key(event));
   }

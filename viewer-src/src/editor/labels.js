@@ -28,9 +28,9 @@ export class Labels {
     Object.assign(this, { taken: [], lines: [] });
   }
 
-  /** Nodes themselves are covered by no name. lines : members, which names cover only where there is no other room. */
-  begin(points, lines) {
-    this.taken = points.map(([x, y]) => [x - 6, y - 6, x + 6, y + 6]);
+  /** Nodes and symbols of supports are covered by no name. lines : members, which names cover only where there is no other room. */
+  begin(points, lines, feet) {
+    this.taken = [...points.map(([x, y]) => [x - 6, y - 6, x + 6, y + 6]), ...feet];
     this.lines = lines;
   }
 

@@ -29,13 +29,14 @@ export class ToolRail {
     this.lengths = made("Lengths", "Lengths and angles (L)", () => this.toggle("lengths"));
     this.snap = made("Snap", "Snap to the grid (G)", () => this.toggleSnap());
     this.theme = made("◐", "Dark or light (D)", () => draw.toggleTheme());
-    this.looks = el("span", { class: "group", role: "group", "aria-label": "view" }, ["corner", "top", "front", "side"].map((name) => el("button", { type: "button", title: `View: ${name}`, onclick: () => this.look(name) }, name[0].toUpperCase() + name.slice(1))));
-    this.plane = el("span", { class: "group plane" });
-    this.grid = el("span", { class: "group" });
+    this.fold = el("button", { type: "button", class: "fold", "aria-expanded": "false", title: "What is shown: names, colours, diagram, grid", onclick: () => this.fold.setAttribute("aria-expanded", String(this.node.classList.toggle("open"))) }, "View ▾"); // on a phone
+    this.looks = el("span", { class: "group view", role: "group", "aria-label": "view" }, ["corner", "top", "front", "side"].map((name) => el("button", { type: "button", title: `View: ${name}`, onclick: () => this.look(name) }, name[0].toUpperCase() + name.slice(1))));
+    this.plane = el("span", { class: "group view plane" });
+    this.grid = el("span", { class: "group view" });
     this.title = el("h1", {});
     this.node = el("header", { class: "toolbar rail" }, el("div", { class: "title" }, this.title, el("a", { href: "../", class: "operate" }, "Operate: sliders and forces")),
-      el("div", { class: "tools" }, el("span", { class: "group" }, this.several, this.undo, this.redo, this.delete),
-        el("span", { class: "group" }, this.fit, this.names, this.force, this.strength, this.lengths, this.snap, this.theme, draw.diagram.node), this.grid, this.looks, this.plane), palette);
+      el("div", { class: "tools" }, el("span", { class: "group" }, this.several, this.undo, this.redo, this.delete, this.fit, this.fold),
+        el("span", { class: "group view" }, this.names, this.force, this.strength, this.lengths, this.snap, this.theme, draw.diagram.node), this.grid, this.looks, this.plane), palette);
   }
 
   toggle(name) {

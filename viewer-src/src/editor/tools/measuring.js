@@ -42,14 +42,14 @@ export function dimensions(draw, at) {
       const ways = pair.map((two) => two.find((end) => end !== shared)), about = at(shared);
       const [from, to] = ways.map((end) => Math.atan2(at(end)[1] - about[1], at(end)[0] - about[0])), by = ((to - from + 3 * Math.PI) % (2 * Math.PI)) - Math.PI;
       lines.push(svg("path", { class: "dimension", d: path(Array.from({ length: 17 }, (_, k) => [about[0] + ROUND * Math.cos(from + (by * k) / 16), about[1] + ROUND * Math.sin(from + (by * k) / 16)])) }));
-      texts.push({ words: `${number((Math.abs(by) * 180) / Math.PI, 4)} deg`, at: [about[0] + (ROUND + 6) * Math.cos(from + by / 2), about[1] + (ROUND + 6) * Math.sin(from + by / 2)] });
+      texts.push({ words: `${number((Math.abs(by) * 180) / Math.PI, 4)} deg`, at: [about[0] + (ROUND + 18) * Math.cos(from + by / 2), about[1] + (ROUND + 18) * Math.sin(from + by / 2)], way: [0, 60] });
     } else {
       const [a, b] = [pair[0], pair.at(-1)], [p, q] = [at(a), at(b)], far = Math.hypot(q[0] - p[0], q[1] - p[1]) || 1;
       const [nx, ny] = [((q[1] - p[1]) / far) * BESIDE, (-(q[0] - p[0]) / far) * BESIDE], [u, v] = [[p[0] + nx, p[1] + ny], [q[0] + nx, q[1] + ny]];
       const turned = Math.atan2(q[1] - p[1], q[0] - p[0]), wing = ([x, y], way, by) => [x + way * 8 * Math.cos(turned + by), y + way * 8 * Math.sin(turned + by)];
       lines.push(svg("path", { class: "dimension", d: path([p, [p[0] + 1.15 * nx, p[1] + 1.15 * ny]]) + path([q, [q[0] + 1.15 * nx, q[1] + 1.15 * ny]]) + path([wing(u, 1, 0.35), u, v, wing(v, -1, 0.35)]) + path([wing(u, 1, -0.35), u]) + path([v, wing(v, -1, -0.35)]) }));
       const given = bar && state.data.bars?.[bar]?.length, length = Math.hypot(...draw.at(a).map((value, k) => value - draw.at(b)[k]));
-      texts.push({ words: typeof given === "string" ? given : quantity(length, "m"), at: [(u[0] + v[0]) / 2 + 0.4 * nx, (u[1] + v[1]) / 2 + 0.4 * ny] });
+      texts.push({ words: typeof given === "string" ? given : quantity(length, "m"), at: [(u[0] + v[0]) / 2 + 0.4 * nx, (u[1] + v[1]) / 2 + 0.4 * ny], way: [v[0] - u[0], v[1] - u[1]] });
     }
   }
   return { lines, texts };
