@@ -68,6 +68,29 @@ def test_a_four_bar_with_forces_by_mouse_alone(show, served):
     assert (hand.shown.requests, hand.shown.complaints) == ([], [])
 
 
+def test_angles_and_rates_are_read_and_typed_in_degrees(show, served):
+    hand = drawn(show, served, width=1440)
+    hand.pull((0, 0, 0), (0, 0.2, 0))
+    tool(hand, "Pin")
+    hand.click("A")
+    tool(hand, "Turn")
+    hand.click((0, 0.1, 0))
+    hand.button("New run")
+    assert hand.page.get_by_label("runs.run1.trajectory.moves.motor", exact=True).input_value() == "90 deg, 120 deg"
+    hand.choose("runs.run1.trajectory", ": ConstantRate")
+    label = "runs.run1.trajectory.rates"
+    assert hand.page.get_by_label(f"new name in {label}", exact=True).input_value() == "motor"  # the drive that is meant
+    hand.page.get_by_label(f"new value in {label}", exact=True).fill("60")
+    hand.page.get_by_label(f"add to {label}", exact=True).click()
+    hand.write("runs.run1.trajectory.duration", "6 s")
+    hand.page.get_by_label("apply runs.run1.trajectory", exact=True).click()
+    assert data(hand)["runs"]["run1"]["trajectory"] == {"kind": "constant_rate", "rates": {"motor": "60 deg/s"}, "duration": "6 s"}
+    hand.js("draw.change('a rate in rad/s', [[['runs', 'run1', 'trajectory', 'rates', 'motor'], Math.PI]])")
+    hand.settle()
+    assert hand.page.get_by_label(f"{label}.motor", exact=True).input_value() == "180 deg/s"
+    assert (hand.shown.requests, hand.shown.complaints) == ([], [])
+
+
 def cursor(hand: Hand, node: str | tuple[float, float]) -> None:
     """Bring the cursor of the keys to a node or a point of the grid."""
     hand.page.locator("svg.drawing").focus()

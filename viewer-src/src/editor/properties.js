@@ -51,8 +51,8 @@ export class Properties {
 
   /** Lists of all nodes and members: picking by keys; and the name of what is picked. */
   lists(state, nodes, members) {
-    const list = (type, label, names, chosen) => choice(label, [["", "-"], ...names], chosen.length === 1 ? chosen[0] : "", (name) => this.draw.pick(name ? { type, name } : null), `pick a ${type}`);
-    return el("div", { class: "row" }, list("node", "Node", state.nodes, nodes), list("member", "Member", [...new Set(state.members.map(({ name }) => name))], members), nodes.length + members.length === 1 ? this.naming(nodes.length ? "nodes" : memberOf(this.draw, members[0]).table, [...nodes, ...members][0]) : null);
+    const list = (type, names, chosen) => choice("", [["", `${type} ...`], ...names], chosen.length === 1 ? chosen[0] : "", (name) => this.draw.pick(name ? { type, name } : null), `pick a ${type}`);
+    return el("div", { class: "row" }, list("node", state.nodes, nodes), list("member", [...new Set(state.members.map(({ name }) => name))], members), nodes.length + members.length === 1 ? this.naming(nodes.length ? "nodes" : memberOf(this.draw, members[0]).table, [...nodes, ...members][0]) : null);
   }
 
   /** An empty drawing of the other kind. */
@@ -119,10 +119,11 @@ export class Properties {
     const entry = this.entry("bars", name);
     const kind = entry.kind || "rigid";
     this.span = el("small", { class: "span" }, this.spanText(name));
+    const weight = el("small", { class: "weight" }, weightText(draw, name));
     const soft = kind === "elastic" || kind === "cable";
     const length = soft ? field("Natural length", entry.natural_length, (value) => this.set(["bars", name, "natural_length"], value), { hint: "as drawn", name: `natural length of ${name}` })
       : field("Length", entry.length, (value) => this.set(["bars", name, "length"], value), { hint: "as drawn", name: `length of ${name}` });
-    return [this.span,
+    return [this.span, weight,
       el("div", { class: "row" }, choice("Kind", [...KINDS, ...OTHER], kind, (value) => this.setKind(name, value), `kind of ${name}`), length),
       soft ? el("div", { class: "row" }, field("Stiffness", entry.stiffness, (value) => this.set(["bars", name, "stiffness"], value), { hint: "E A/l", name: `stiffness of ${name}` }),
         field("Pretension", entry.pretension, (value) => this.set(["bars", name, "pretension"], value), { hint: "0 N", name: `pretension of ${name}` })) : null,
@@ -133,15 +134,15 @@ export class Properties {
   made(table, name, entry) {
     const { draw } = this, set = (key) => (value) => this.set([table, name, key], value);
     return [el("div", { class: "row" }, sectionChoice(draw, entry.section, set("section"), `section of ${name}`, entry.material || draw.state.data.material)),
-      el("div", { class: "row" }, materialChoice(draw, entry.material, set("material"), `material of ${name}`), field("Mass", entry.mass, set("mass"), { hint: "of its section", size: 10, name: `mass of ${name}` })), el("small", {}, weightText(draw, name))];
+      el("div", { class: "row" }, materialChoice(draw, entry.material, set("material"), `material of ${name}`), field("Mass", entry.mass, set("mass"), { hint: "of its section", size: 10, name: `mass of ${name}` }))];
   }
 
   /** An active member, a beam or a link: all its fields. */
   ofOther(table, name) {
     this.span = el("small", { class: "span" }, this.spanText(name));
     const kind = { beams: "beam", links: "link" }[table] || "active";
-    return [this.span, el("div", { class: "row" }, choice("Kind", [["bar", "bar"], ...OTHER], kind, (value) => this.draw.make(value), `kind of ${name}`)),
-      table === "beams" ? this.beamEnds(name) : this.making(["angle_spring"]), table === "active" ? el("small", {}, weightText(this.draw, name)) : this.made(table, name, this.entry(table, name)), this.forms.entry(table, name)];
+    return [this.span, el("small", { class: "weight" }, weightText(this.draw, name)), el("div", { class: "row" }, choice("Kind", [["bar", "bar"], ...OTHER], kind, (value) => this.draw.make(value), `kind of ${name}`)),
+      table === "beams" ? this.beamEnds(name) : this.making(["angle_spring"]), table === "active" ? null : this.made(table, name, this.entry(table, name)), this.forms.entry(table, name)];
   }
 
   /** How a beam is joined at its ends. */

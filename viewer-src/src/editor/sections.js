@@ -76,5 +76,5 @@ export function weightText(draw, name) {
   const { weights } = draw.state, own = weights?.members[name];
   if (!weights) return "";
   const all = `all: ${quantity(weights.all, "kg")}`;
-  return name === undefined ? all : own ? `weighs ${quantity(own, "kg")}; ${all}` : `weighs nothing yet: it has no section, material or mass; ${all}`;
+  return name === undefined ? all : own ? `weighs ${quantity(own, "kg")}, ${all}` : `weighs nothing: no section and material, no mass`;
 }
