@@ -202,7 +202,7 @@ export class Draw extends Talk {
   }
 
   take(answer) {
-    const first = !this.state, dim = this.state?.dim;
+    const first = !this.state, dim = this.state?.dim, emptied = Boolean(this.state?.nodes.length) && !answer.nodes.length;
     let running = null;
     if (answer.choices) {
       this.choices = answer.choices;
@@ -216,7 +216,7 @@ export class Draw extends Talk {
     if (!answer.other && !first) this.tell(answer.saved || "");
     this.diagram.spoil();
     this.canvas.rebuild();
-    if (first || answer.dim !== dim) this.fit();
+    if (first || emptied || answer.dim !== dim) this.fit();
     this.curves.spoil();
     for (const part of [this.rail, this.welcome, this.status, this.properties, this.whole, this.groups, this.entries, this.curves, this.diagram, this.text, this.files, this.starters, this.task, this.takeAway]) part.rebuild();
     this.play.spoil();
