@@ -18,8 +18,8 @@ if TYPE_CHECKING:
 
 @cache
 def sections() -> tuple[dict[str, Any], ...]:
-    """Sections of the library and tubes of all catalogues: `name`, `of` which list, what to write into a model (`section`), area
-    (m^2) and the smaller second moment (m^4), lightest first within a list.
+    """Sections of the library and tubes of all catalogues: `name`, `of` which list, what to write into a model (`section`),
+    area (m^2) and the smaller second moment (m^4), lightest first within a list.
     """
     rows = [_row(name, "library", name, section) for name, section in shelf("sections").items()]
     for title in catalogue_names():

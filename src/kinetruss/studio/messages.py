@@ -409,6 +409,8 @@ def starters(session: Session) -> Answer:
 @message
 def sections(session: Session) -> Answer:
     """Sections to choose from, with their numbers; and densities of the materials of the library, kg/m^3."""
+    if not session.draw:
+        raise InputError("This message is for a drawing.")
     return {"kind": "sections", "rows": list(catalogue.sections()), "densities": catalogue.densities()}
 
 

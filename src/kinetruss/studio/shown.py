@@ -328,7 +328,8 @@ def _pins(
 ) -> list[dict[str, str]]:
     """What one click may join: nodes that lie on a bar or link, as a pin of it."""
     takes = {*(data.get("bars") or {}), *(data.get("links") or {})}
-    return [{"node": node, "member": name} for node, name in on_members(places, members) if name in takes and node not in slides][:LISTED_NODES]
+    found = [one for one in on_members(places, members) if one[1] in takes and one[0] not in slides]
+    return [{"node": node, "member": name} for node, name in found[:LISTED_NODES]]
 
 
 def fault_rows(faults: list[Fault]) -> list[dict[str, Any]]:
