@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Collection, Mapping, Sequence
 from dataclasses import dataclass, field
 from itertools import pairwise
 from typing import TYPE_CHECKING, Any
@@ -18,7 +18,7 @@ from kinetruss.mechanics.positions import drive_values, row_values
 from kinetruss.model import LengthDrive, Model, of_file
 from kinetruss.statics.search import projected, row_errors
 from kinetruss.studio.edits import SOFT
-from kinetruss.studio.poses import CLOSED, EXACT, LARGEST, MANY, alarms_of, at_rest
+from kinetruss.studio.poses import CLOSED, EXACT, LARGEST, MANY, at_rest, strength_of
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray
@@ -38,10 +38,12 @@ LISTED_NODES = 4
 """Largest number of sentences."""
 
 
-def loose_ends(places: Mapping[str, Sequence[float]], members: Mapping[str, Sequence[str]]) -> list[str]:
+def loose_ends(
+    places: Mapping[str, Sequence[float]], members: Mapping[str, Sequence[str]], slides: Collection[str] = ()
+) -> list[str]:
     """Sentences about nodes that lie on members, or on other nodes, without being joined to them.
 
-    places : node -> place, m. members : name -> its two ends, or the nodes of a link.
+    places : node -> place, m. members : name -> its two ends, or the nodes of a link. slides : nodes that may lie on members.
 
     >>> places = {"A": [0, 0], "B": [2, 0], "C": [1, 0], "D": [1, 1]}
     >>> loose_ends(places, {"b1": ["A", "B"], "b2": ["C", "D"]})
@@ -55,7 +57,7 @@ def loose_ends(places: Mapping[str, Sequence[float]], members: Mapping[str, Sequ
     for name, place in zip(names, np.round(x / near), strict=True):
         same.setdefault((place + 0.0).tobytes(), []).append(name)
     found = [f"{' and '.join(some)} are at the same place but are not joined." for some in same.values() if len(some) > 1]
-    for node, name in on_members(places, members):
+    for node, name in (one for one in on_members(places, members) if one[0] not in slides):
         mend = f"To join them, make {name} a link through {node}; two bars would fold there."
         found.append(f"{node} lies on {name} but is not joined to it. {mend}")
     rest = len(found) - LISTED_NODES
@@ -95,7 +97,8 @@ class Judged:
 
     model : None if the data have faults. position : (n_nodes, dim), m, the drawn or closed pose. moved : nodes that
     closing has moved. apart : lengths that do not fit, name -> (drawn, given), m. mobility, forces : None if they were
-    not computed; `why` says why there are no forces. warnings : kind and text.
+    not computed; `why` says why there are no forces. warnings : kind and text. used : utilisation of the members whose strength
+    was checked.
     """
 
     faults: list[Fault] = field(default_factory=list)
@@ -109,6 +112,7 @@ class Judged:
     why: str = ""
     warnings: list[tuple[str, str]] = field(default_factory=list)
     alarms: list[str] = field(default_factory=list)
+    used: dict[str, float] = field(default_factory=dict)
 
 
 def judged(data: Mapping[str, Any], fine: bool = True, last: Judged | None = None) -> Judged:
@@ -148,10 +152,11 @@ def judged(data: Mapping[str, Any], fine: bool = True, last: Judged | None = Non
     mobility = mobility_at(system, x, beam_deformations)
     forces, why = _forces(model, system, position, mobility, fine)
     warnings = _warnings(system, mobility)
-    alarms = alarms_of(model, forces) if forces is not None and (fine or len(model.members) <= MANY) else []
+    checked = forces is not None and (fine or len(model.members) <= MANY)
+    alarms, used = strength_of(model, forces) if checked and forces is not None else ([], {})
     return Judged(
         model=model, position=position, moved=moved, drives=drives, mobility=mobility, forces=forces, why=why,
-        warnings=warnings, alarms=alarms,
+        warnings=warnings, alarms=alarms, used=used,
     )  # fmt: skip
 
 

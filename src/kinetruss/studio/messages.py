@@ -13,7 +13,7 @@ from pydantic import BaseModel, ConfigDict, Field, ValidationError, create_model
 
 from kinetruss.errors import InputError, KinetrussError, ModelError
 from kinetruss.model import nearest
-from kinetruss.studio import asked, beginnings, copies, drawing, edits, sweeps
+from kinetruss.studio import asked, beginnings, catalogue, copies, drawing, edits, sweeps
 from kinetruss.studio.member_kinds import switched
 from kinetruss.studio.new_parts import made, with_analysis
 from kinetruss.studio.requested_runs import Finite, FrameList, Name, Values
@@ -40,6 +40,7 @@ Count = Annotated[int, Field(ge=1, le=200)]
 Samples = Annotated[int, Field(ge=2, le=2001)]
 Number = Annotated[int, Field(ge=1)]
 Words = Annotated[str, Field(max_length=200)]
+Changes = Annotated[tuple[tuple[Path, Any], ...], Field(min_length=1, max_length=200)]
 Long = Annotated[str, Field(max_length=LARGE)]
 
 
@@ -250,6 +251,15 @@ def set_(session: Session, path: Path, value: Any = None, typed: bool = False) -
 
 
 @message
+def change(session: Session, changes: Changes, words: Words) -> Answer:
+    """Set values at several paths of the data in one step: what a tool of the page draws. words : what the step is called."""
+    data = session.data
+    for path, value in changes:
+        data = edits.with_value(data, path, value)
+    return session.take(data, words)
+
+
+@message
 def make(
     session: Session,
     what: Part,
@@ -394,6 +404,14 @@ def choose(session: Session, number: Annotated[int, Field(ge=0, le=1000)]) -> An
 def starters(session: Session) -> Answer:
     """Drawings to begin with, and their small pictures."""
     return {"kind": "starters", "rows": list(beginnings.pictures()), "empty": not session.data.get("nodes")}
+
+
+@message
+def sections(session: Session) -> Answer:
+    """Sections to choose from, with their numbers; and densities of the materials of the library, kg/m^3."""
+    if not session.draw:
+        raise InputError("This message is for a drawing.")
+    return {"kind": "sections", "rows": list(catalogue.sections()), "densities": catalogue.densities()}
 
 
 @message

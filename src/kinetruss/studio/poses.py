@@ -352,9 +352,16 @@ def at_rest(model: Model, position: NDArray[np.float64], case: str | None = None
     return dynamics.inverse(model, motion, case, static=False)
 
 
-def alarms_of(model: Model, forces: Forces) -> list[str]:
-    """Members and motors beyond a limit under the forces of one pose, in sentences."""
-    return _alarms(_finding(model, forces, _demand(model, forces) if model.actuators else []))
+def strength_of(model: Model, forces: Forces) -> tuple[list[str], dict[str, float]]:
+    """Members and motors beyond a limit under the forces of one pose, in sentences; and the utilisation of each member that was
+    checked: the largest of all its rules that is a number.
+    """
+    finding = _finding(model, forces, _demand(model, forces) if model.actuators else [])
+    used: dict[str, float] = {}
+    for row in finding.members:
+        if row.checked and math.isfinite(row.utilisation):
+            used[row.member] = max(used.get(row.member, 0.0), row.utilisation)
+    return _alarms(finding), used
 
 
 def _finding(model: Model, forces: Forces, demand: list[dict[str, Any]]) -> Finding:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+import math
 import time
 from contextlib import suppress
 from itertools import pairwise
@@ -13,11 +14,14 @@ import numpy as np
 from kinetruss.errors import Fault, InputError, UnitError
 from kinetruss.io.writing import located
 from kinetruss.mechanics import compile
-from kinetruss.model import NodalForce, turns
+from kinetruss.model import MemberLoad, MemberPointForce, NodalForce, OffsetCoordinate, turns
+from kinetruss.model.links import length_along
+from kinetruss.model.loads_along import fraction
 from kinetruss.results.user_parts import clamps
 from kinetruss.shelves import shelf, shelves
 from kinetruss.strength.curves import curves, factor_of, quantities_shown, sentence
 from kinetruss.studio import sweeps
+from kinetruss.studio.catalogue import weights
 from kinetruss.studio.copies import CELLS
 from kinetruss.studio.edits import MEMBERS, ends_of, place_of, supports
 from kinetruss.studio.judging import LISTED_NODES, loose_ends, on_members
@@ -216,6 +220,7 @@ def drawing_of(session: Shown, light: bool = False) -> Record:
         "warnings": [{"kind": kind, "text": text} for kind, text in _warnings(found, _floats(data))],
         "missing": _missing(drawing),
         "alarms": found.alarms,
+        "used": found.used,
         "mobility": _mobility(found, light),
         "drives": _drives(found),
         **_forces(
@@ -224,7 +229,7 @@ def drawing_of(session: Shown, light: bool = False) -> Record:
     }
     if light:
         return record
-    text = drawing.state.text
+    text, slides = drawing.state.text, _slides(found)
     return record | {
         "dim": drawing.dim,
         "nodes": list(places),
@@ -235,6 +240,7 @@ def drawing_of(session: Shown, light: bool = False) -> Record:
         "fixed": supports(data),
         "supports": _supports(found, data, drawing.dim),
         "loads": _loads(found),
+        "weights": None if found.model is None or not found.model.nodes else weights(found.model),
         "shows": [
             {"id": name, "label": one.words[0].upper() + one.words[1:]} for name, one in quantities_shown(drawing.dim).items()
         ],
@@ -242,8 +248,8 @@ def drawing_of(session: Shown, light: bool = False) -> Record:
         "text": text,
         "faults": fault_rows(located(text, found.faults)),
         "valid": found.model is not None,
-        "hints": loose_ends(places, known),
-        "pins": _pins(data, places, known),
+        "hints": loose_ends(places, known, slides),
+        "pins": _pins(data, places, known, slides),
         "file": "" if session.file is None else session.file.name,
         "dirty": drawing.state is not session.saved,
         "writable": session.folder is not None,
@@ -311,10 +317,19 @@ def _points(one: Curve) -> Record:
     }
 
 
-def _pins(data: dict[str, Any], places: dict[str, list[float]], members: dict[str, list[str]]) -> list[dict[str, str]]:
+def _slides(found: Judged) -> set[str]:
+    """Nodes that a coupling keeps on a line: on a bar they are where they belong."""
+    couplings = () if found.model is None else found.model.couplings.values()
+    return {one.point for coupling in couplings for one, _ in coupling.terms if isinstance(one, OffsetCoordinate)}
+
+
+def _pins(
+    data: dict[str, Any], places: dict[str, list[float]], members: dict[str, list[str]], slides: set[str]
+) -> list[dict[str, str]]:
     """What one click may join: nodes that lie on a bar or link, as a pin of it."""
     takes = {*(data.get("bars") or {}), *(data.get("links") or {})}
-    return [{"node": node, "member": name} for node, name in on_members(places, members) if name in takes][:LISTED_NODES]
+    found = [one for one in on_members(places, members) if one[1] in takes and one[0] not in slides]
+    return [{"node": node, "member": name} for node, name in found[:LISTED_NODES]]
 
 
 def fault_rows(faults: list[Fault]) -> list[dict[str, Any]]:
@@ -364,12 +379,33 @@ def _kind(drawing: Drawing, name: str) -> str:
     return "driven" if name in (drawing.state.data.get("active") or {}) else "rigid"
 
 
-def _loads(found: Judged) -> list[dict[str, Any]]:
-    model = found.model
-    return [] if model is None else [
-        {"name": name, "node": load.node, "force": list(load.force)}
-        for name, load in model.loads.items() if isinstance(load, NodalForce) and load.force is not None
-    ]  # fmt: skip
+def _loads(found: Judged) -> list[Record]:
+    """Constant forces: on a node, N; at a share `at` of a member, N; along a member between two shares of it (`span`), N/m, by
+    its `shape` there. turns : the components are along the axes of the member.
+    """
+    model, rows = found.model, list[Record]()
+    for name, load in ({} if model is None else model.loads).items():
+        if isinstance(load, NodalForce) and load.force is not None:
+            rows.append({"name": name, "node": load.node, "force": list(load.force)})
+        elif model is not None and isinstance(load, MemberLoad | MemberPointForce) and load.force is not None:
+            row: Record = {"name": name, "member": load.member, "force": list(load.force), "turns": load.axes == "member"}
+            length = _length(model, load.member)
+            if isinstance(load, MemberPointForce):
+                row["at"] = fraction(load.at, length)
+            else:
+                first, last = (fraction(one, length) for one in (load.start or 0.0, "100 %" if load.end is None else load.end))
+                row |= {"span": [first, last], "shape": list(load.shape)}
+            rows.append(row)
+    return rows
+
+
+def _length(model: Model, member: str) -> float:
+    """Of a member as drawn, m: of a link from pin to pin."""
+    own = model.links.get(member) or model.beams.get(member)
+    if own is not None:
+        return length_along(model, own)
+    a, b = model.members[member].ends
+    return math.dist(model.nodes[a].at, model.nodes[b].at)
 
 
 def _drives(found: Judged) -> list[dict[str, Any]]:
@@ -383,7 +419,8 @@ def _drives(found: Judged) -> list[dict[str, Any]]:
     records = found.model.all_drives
     return [
         {"name": name, "unit": "rad" if turns(records[name]) else "m", "value": value, "force": held.get(name),
-         "bar": getattr(records[name], "bar", None)}
+         "bar": getattr(records[name], "bar", None), "node": getattr(records[name], "node", None),
+         "axis": getattr(records[name], "axis", None)}
         for name, value in found.drives.items()
     ]  # fmt: skip
 

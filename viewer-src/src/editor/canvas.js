@@ -8,20 +8,26 @@ import { symbolAt } from "../supports.js";
 import { Labels } from "./labels.js";
 import { bodies, springs } from "./marks.js";
 import { HANDS, spanOf } from "./measures.js";
+import { arrow } from "./tools/given.js";
+import { couplings } from "./tools/joints.js";
+import { ARROW, largest } from "./tools/loads.js";
+import { dimensions } from "./tools/measuring.js";
 
 const LINES = 60; // most grid lines to either side
 const SUPPORT = 24; // pixels of the symbol of a support
-const ARROW = 46; // pixels of the largest load
 const MANY = 80; // nodes above which names are hidden
-const FEW = 24; // members up to which all have their names, else those that are picked
+const FEW = 24; // members up to which all have their names while it moves
+const SOME = 60; // members up to which those with room have their names at rest; else those that are picked or pointed at
+const SEVERAL = 7; // arrows of a load along a member
 
+const colour = (scale, value, limits) => `rgb(${colourOf(scale, value, limits).map(Math.round).join(" ")})`;
 const path = (points, close = false) => (points.length ? `M${points.map(([x, y]) => `${x.toFixed(2)} ${y.toFixed(2)}`).join("L")}${close ? "Z" : ""}` : "");
 
 export class Canvas {
   constructor(draw) {
     this.draw = draw;
     const layer = (name) => svg("g", { class: name });
-    this.layers = Object.fromEntries(["picture", "grid", "bodies", "curve", "paths", "apart", "task", "bars", "marks", "diagram", "nodes", "names", "rubber"].map((name) => [name, layer(name)]));
+    this.layers = Object.fromEntries(["picture", "grid", "bodies", "curve", "paths", "apart", "task", "bars", "marks", "diagram", "nodes", "names", "values", "rubber"].map((name) => [name, layer(name)]));
     this.node = svg("svg", { class: "drawing", tabindex: 0, role: "application", "aria-label": "drawing; arrow keys move the cursor, Enter draws there, Tab leaves" }, ...Object.values(this.layers));
     this.names = new Labels();
     this.legend = el("div", { class: "legend", hidden: true });
@@ -50,6 +56,7 @@ export class Canvas {
     this.layers.nodes.replaceChildren(...this.circles);
     this.layers.names.replaceChildren(...this.tags, ...this.labels);
     this.index = new Map(state.nodes.map((name, k) => [name, k]));
+    this.coils = new Set(Object.entries(state.data.bars || {}).filter(([, one]) => one?.kind === "elastic" && one.stiffness !== undefined).map(([name]) => name));
     this.update();
   }
 
@@ -73,38 +80,65 @@ export class Canvas {
       circle.setAttribute("cy", y.toFixed(2));
       if (!quick) circle.classList.toggle("picked", picked.nodes.has(state.nodes[k]));
     });
-    this.place(state, picked, shown.names && few);
     this.marks(state);
+    this.place(state, picked, shown.names && few);
     this.draw.picture.place(this.layers.picture);
     this.draw.curves.place(this.layers.curve);
     this.draw.task.place(this.layers.task);
     this.draw.play.paths(this.layers.paths);
     this.rubber();
+    this.draw.value.place();
+  }
+
+  /** The name of what the pointer is near is shown, also where there is little room. */
+  near(hit) {
+    const key = hit ? `${hit.type} ${hit.name}` : "";
+    if (key === this.nearKey) return;
+    this.nearKey = key;
+    const { state, picked, shown } = this.draw;
+    this.place(state, picked, shown.names && state.nodes.length <= MANY);
+  }
+
+  isNear(type, name) {
+    return this.nearKey === `${type} ${name}`;
   }
 
   paint(state, picked, shown, quick) {
     const forces = this.draw.stale ? null : state.force; // not those before an edit that is computed
     const sizes = (forces || []).filter((value) => value !== null).map(Math.abs);
     const { play } = this.draw, largest = (play.away && play.film.largest) || Math.max(...sizes, 0) || 1; // one scale for a whole motion
-    this.legend.hidden = !shown.force || !sizes.some((value) => value > 0);
-    if (this.legend.dataset.of !== (this.legend.dataset.of = `${largest};${state.unsure.length}`)) fill(this.legend, el("b", {}, "Force"), el("div", { class: "bar", style: `background: ${gradient("diverging")}` }), el("div", { class: "ticks" }, el("span", {}, quantity(-largest, "N")), el("span", {}, "0"), el("span", {}, quantity(largest, "N"))), el("div", { class: "words" }, el("span", {}, "compression"), el("span", {}, "tension")),
+    const used = this.draw.stale || play.away ? {} : state.used;
+    if (shown.strength) this.strengthLegend(used);
+    else this.legend.hidden = !shown.force || !sizes.some((value) => value > 0);
+    if (!shown.strength && this.legend.dataset.of !== (this.legend.dataset.of = `${largest};${state.unsure.length}`)) fill(this.legend, el("b", {}, "Force"), el("div", { class: "bar", style: `background: ${gradient("diverging")}` }), el("div", { class: "ticks" }, el("span", {}, quantity(-largest, "N")), el("span", {}, "0"), el("span", {}, quantity(largest, "N"))), el("div", { class: "words" }, el("span", {}, "compression"), el("span", {}, "tension")),
       state.unsure.length ? el("div", {}, "?: not unique, in the colour of its kind") : null);
     const unsure = new Set(state.unsure), told = !quick || state.members.length <= FEW;
     this.bars.forEach((bar, k) => {
       const { name, ends, kind } = state.members[k];
       const [a, b] = ends.map((end) => this.at(end));
-      bar.setAttribute("d", path([a, b]));
+      bar.setAttribute("d", path(kind === "elastic" && this.coils.has(name) ? coil(a, b) : [a, b]));
       const force = forces?.[k] ?? null;
       const sure = force !== null && !unsure.has(name);
-      bar.style.stroke = shown.force && sure ? `rgb(${colourOf("diverging", force, [-largest, largest]).map(Math.round).join(" ")})` : KINDS[kind] || KINDS.rigid;
+      if (shown.strength) bar.style.stroke = colour("capacity", name in used ? used[name] : NaN, [0, 1]);
+      else bar.style.stroke = shown.force && sure ? colour("diverging", force, [-largest, largest]) : KINDS[kind] || KINDS.rigid;
       if (!quick) {
         bar.classList.toggle("picked", picked.members.has(name));
         bar.classList.toggle("apart", name in state.apart);
-        bar.classList.toggle("soft", kind === "elastic" || kind === "cable" || kind === "free");
+        bar.classList.toggle("coil", kind === "elastic" && this.coils.has(name));
+        bar.classList.toggle("soft", (kind === "elastic" && !this.coils.has(name)) || kind === "cable" || kind === "free");
       }
       if (!told && !picked.members.has(name)) return;
-      this.tags[k].textContent = shown.lengths || this.touches(ends) ? `${name} ${spanOf(...ends.map((end) => this.draw.at(end)), state.dim)}` : shown.force && force !== null ? `${name} ${quantity(Math.abs(force) < 1e-12 * largest ? 0 : force, "N")}${sure ? "" : " ?"}` : name;
+      this.tags[k].textContent = shown.strength && name in used && !shown.lengths ? `${name} ${quantity(used[name], "%")}` : shown.lengths || this.touches(ends) ? `${name} ${spanOf(...ends.map((end) => this.draw.at(end)), state.dim)}` : shown.force && force !== null ? `${name} ${quantity(Math.abs(force) < 1e-12 * largest ? 0 : force, "N")}${sure ? "" : " ?"}` : name;
     });
+  }
+
+  strengthLegend(used) {
+    const known = Object.entries(used).sort((a, b) => b[1] - a[1]), key = `strength;${known[0]}`;
+    this.legend.hidden = false;
+    if (this.legend.dataset.of === (this.legend.dataset.of = key)) return;
+    fill(this.legend, el("b", {}, "Strength: share of what is allowed"), el("div", { class: "bar", style: `background: ${gradient("sequential")}` }), el("div", { class: "ticks" }, el("span", {}, "0"), el("span", {}, "50 %"), el("span", {}, "100 %")),
+      el("div", { class: "swatch" }, el("i", { style: `background: ${colour("capacity", 2, [0, 1])}` }), "beyond a limit"), el("div", { class: "swatch" }, el("i", { style: `background: ${colour("capacity", NaN, [0, 1])}` }), known.length ? "not checked" : "not checked: it needs forces, sections and materials"),
+      known.length ? el("div", { class: "words" }, `most: ${known[0][0]}, ${quantity(known[0][1], "%")}`) : null);
   }
 
   /** Whether a member ends at a node that is dragged. */
@@ -112,18 +146,36 @@ export class Canvas {
     return ends.some((end) => this.draw.gripped.has(end));
   }
 
-  /** Names of nodes, of what is picked, and of members where there is room. */
+  /** Names of nodes, values of loads and dimensions, names of what is picked or pointed at, and of members where there is room. */
   place(state, picked, named) {
-    this.names.begin(this.seen);
-    if (named || this.draw.gripped.size) this.labels.forEach((label, k) => (named ? this.names.node(label, this.seen[k]) : label.setAttribute("display", "none")));
-    this.draw.diagram.place(this.layers.diagram, this.names.taken);
-    if (!named && !this.draw.gripped.size) return;
-    const order = state.members.map((_, k) => k).sort((a, b) => picked.members.has(state.members[b].name) - picked.members.has(state.members[a].name));
+    const { gripped, play, diagram } = this.draw, members = state.members.map(({ ends }) => ends.map((end) => this.at(end)));
+    this.names.begin(this.seen, state.members.length <= SOME ? members : [], this.feet);
+    if (named || gripped.size) this.labels.forEach((label, k) => (named ? this.names.node(label, this.seen[k], picked.nodes.has(state.nodes[k]) || this.isNear("node", state.nodes[k])) : label.setAttribute("display", "none")));
+    diagram.place(this.layers.diagram, this.names.taken);
+    this.values(named);
+    if (!named && !gripped.size) return;
+    const rank = ({ name }) => (this.isNear("member", name) ? 2 : 0) + (picked.members.has(name) ? 1 : 0), order = state.members.map((_, k) => k).sort((a, b) => rank(state.members[b]) - rank(state.members[a]));
+    const some = play.playing ? FEW : SOME;
     for (const k of order) {
-      const { name, ends, goes_on: more } = state.members[k], must = !more && (picked.members.has(name) || this.touches(ends));
-      if ((named && state.members.length <= FEW && !more) || must) this.names.member(this.tags[k], this.at(ends[0]), this.at(ends[1]), must);
+      const { name, ends, goes_on: more } = state.members[k], must = !more && (rank(state.members[k]) > 0 || this.touches(ends));
+      if ((named && !diagram.found && state.members.length <= some && !more) || must) this.names.member(this.tags[k], ...members[k], must);
       else this.tags[k].setAttribute("display", "none");
     }
+  }
+
+  /** The values of loads beside their arrows, and of dimensions. */
+  values(named) {
+    const shown = (words, kind) => svg("text", { class: kind }, words), texts = [];
+    const put = (text, places, must) => {
+      this.names.put(text, places.map(([x, y]) => [x, y]), 6.6 * text.textContent.length, must);
+      texts.push(text);
+    };
+    for (const { words, at: [x, y], way: [u, v] } of this.measured) put(shown(words, "measure"), [0, 0.18, -0.18, 0.32, -0.32].map((share) => [x + share * u - 3.3 * words.length, y + share * v + 4]), true);
+    if (named) for (const { words, tip, foot } of this.arrows.slice(0, SOME)) {
+      const wide = 6.6 * words.length, down = tip[1] > foot[1] ? 15 : -6, [x, y] = tip;
+      put(shown(words, "amount"), [[x - wide / 2, y + down], [x + 7, y + 4], [x - wide - 7, y + 4], [x + 7, (y + foot[1]) / 2 + 4], [x - wide - 7, (y + foot[1]) / 2 + 4], [x - wide / 2, y + 2 * down]], false);
+    }
+    this.layers.values.replaceChildren(...texts);
   }
 
   grid() {
@@ -156,29 +208,52 @@ export class Canvas {
     this.layers.grid.replaceChildren(svg("path", { class: "thin", d: lines.thin }), svg("path", { class: "zero", d: lines.axis }), svg("path", { class: "cross", d: cross }), ...names);
   }
 
-  /** Supports, drives, loads and masses. */
+  /** Supports, drives, loads, couplings, springs, dimensions. */
   marks(state) {
-    const marks = [];
+    const marks = [], at = (name) => this.at(name), ends = (name) => state.members.find((one) => one.name === name)?.ends;
+    this.feet = [];
     for (const mark of state.supports) marks.push(...this.support(mark));
-    for (const { unit, bar } of state.drives) {
-      const member = state.members.find((one) => one.name === bar);
-      if (!member) continue;
-      const [a, b] = member.ends.map((end) => this.at(end));
-      const turned = Math.atan2(b[1] - a[1], b[0] - a[0]);
-      if (unit === "rad") marks.push(svg("path", { class: "drive", d: `M${a[0] + 15 * Math.cos(turned)} ${a[1] + 15 * Math.sin(turned)}A15 15 0 1 1 ${a[0] + 15 * Math.cos(turned + 1.2)} ${a[1] + 15 * Math.sin(turned + 1.2)}` }));
-      else marks.push(svg("rect", { class: "drive", x: -11, y: -5, width: 22, height: 10, rx: 3, transform: `translate(${(a[0] + b[0]) / 2} ${(a[1] + b[1]) / 2}) rotate(${(turned * 180) / Math.PI})` }));
+    for (const drive of state.drives) marks.push(...this.drive(drive, ends));
+    this.arrows = [];
+    for (const load of state.loads) marks.push(...this.load(load));
+    this.layers.bodies.replaceChildren(...bodies(state.data, at), ...couplings(this.draw, at));
+    const measured = dimensions(this.draw, at);
+    this.measured = measured.texts;
+    this.layers.marks.replaceChildren(...marks, ...springs(state.data, at, ends), ...measured.lines);
+  }
+
+  drive({ unit, bar, node, axis }, ends) {
+    if (node && axis) {
+      const from = this.at(node);
+      if (!from) return [];
+      const { camera } = this.draw, place = this.draw.at(node), along = (pixels) => camera.project(place.map((value, k) => value + ("xyz"[k] === axis ? pixels / camera.scale : 0)));
+      return [arrow(along(34), along(12), "drive"), arrow(along(-34), along(-12), "drive")];
     }
-    const largest = Math.max(...state.loads.map(({ force }) => Math.hypot(...force)), 0) || 1;
-    for (const { node, force } of state.loads) {
-      const place = state.places[this.index.get(node)];
-      if (!place) continue;
-      const end = this.at(node), { camera } = this.draw;
-      const tip = camera.project(place.map((value, k) => value + ((force[k] || 0) / largest) * (ARROW / camera.scale)));
-      marks.push(arrow(tip, end));
+    const pair = ends(bar);
+    if (!pair) return [];
+    const [a, b] = pair.map((end) => this.at(end)), turned = Math.atan2(b[1] - a[1], b[0] - a[0]);
+    if (unit !== "rad") return [svg("rect", { class: "drive", x: -11, y: -5, width: 22, height: 10, rx: 3, transform: `translate(${(a[0] + b[0]) / 2} ${(a[1] + b[1]) / 2}) rotate(${(turned * 180) / Math.PI})` })];
+    return [svg("path", { class: "drive", d: `M${a[0] + 15 * Math.cos(turned)} ${a[1] + 15 * Math.sin(turned)}A15 15 0 1 1 ${a[0] + 15 * Math.cos(turned + 1.2)} ${a[1] + 15 * Math.sin(turned + 1.2)}` })];
+  }
+
+  /** The arrows of a load, and where its value belongs. */
+  load({ name, node, member, force, at, span, shape, turns }) {
+    const { state, camera } = this.draw, unit = span ? "N/m" : "N", most = largest(state.loads, unit);
+    const own = node ? [] : state.members.filter((one) => one.name === member);
+    if (node ? !this.index.has(node) : !own.length) return [];
+    const points = node ? [] : [...own.map(({ ends }) => ends[0]), own.at(-1).ends[1]].map((end) => this.draw.at(end));
+    const along = (share) => pointAt(points, share);
+    let way = [0, 1, 2].map((k) => force[k] || 0);
+    if (turns && state.dim === 2) {
+      const [p, q] = [points[0], points.at(-1)], length = Math.hypot(q[0] - p[0], q[1] - p[1]) || 1, [c, s] = [(q[0] - p[0]) / length, (q[1] - p[1]) / length];
+      way = [c * way[0] - s * way[1], s * way[0] + c * way[1], 0];
     }
-    const at = (name) => this.at(name), ends = (name) => state.members.find((one) => one.name === name)?.ends;
-    this.layers.bodies.replaceChildren(...bodies(state.data, at));
-    this.layers.marks.replaceChildren(...marks, ...springs(state.data, at, ends));
+    const feet = node ? [[this.draw.at(node), 1]] : span ? Array.from({ length: SEVERAL }, (_, k) => [along(span[0] + ((span[1] - span[0]) * k) / (SEVERAL - 1)), shape[0] + ((shape[1] - shape[0]) * k) / (SEVERAL - 1)]) : [[along(at), 1]];
+    const drawn = feet.map(([foot, share]) => [camera.project(foot), camera.project(foot.map((value, k) => value + ((share * way[k]) / most) * (ARROW / camera.scale)))]);
+    const [foot, tip] = drawn[Math.floor(drawn.length / 2)];
+    this.arrows.push({ name, words: quantity(Math.hypot(...force) * (span ? Math.max(...shape.map(Math.abs)) : 1), unit), foot, tip });
+    const rim = span ? [svg("path", { class: "load thin", d: path(drawn.map(([, end]) => end)) })] : [];
+    return [...drawn.filter(([p, q]) => Math.hypot(p[0] - q[0], p[1] - q[1]) > 1).map(([p, q]) => arrow(q, p)), ...rim];
   }
 
   /** The symbol of a support, as large on every scale. */
@@ -186,13 +261,17 @@ export class Canvas {
     const place = this.draw.state.places[this.index.get(node)], { camera } = this.draw;
     if (!place) return [];
     const at = [place[0], place[1], place[2] || 0], faces = kind === "pin" || kind === "roller";
-    return symbolAt({ kind, along }, at, SUPPORT / camera.scale).map((line, k) => svg("path", { class: faces && k === 0 ? "support" : "support line", "data-support": node, "data-kind": kind, d: path(line.map((point) => camera.project(point))) }));
+    const lines = symbolAt({ kind, along }, at, SUPPORT / camera.scale).map((line) => line.map((point) => camera.project(point)));
+    const across = (k) => lines.flat().map((point) => point[k]);
+    this.feet.push([Math.min(...across(0)), Math.min(...across(1)), Math.max(...across(0)), Math.max(...across(1))]);
+    return lines.map((line, k) => svg("path", { class: faces && k === 0 ? "support" : "support line", "data-support": node, "data-kind": kind, d: path(line) }));
   }
 
   /** What is being drawn, and the cursor of the keys. */
   rubber() {
     const { camera, rubber, cursor } = this.draw;
     const parts = [];
+    if (rubber?.parts) parts.push(...rubber.parts);
     if (rubber?.from && rubber.to) parts.push(svg("path", { class: "rubber", d: path([camera.project(rubber.from), camera.project(rubber.to)]) }));
     if (rubber?.box) parts.push(svg("path", { class: "box", d: path([[rubber.box[0], rubber.box[1]], [rubber.box[2], rubber.box[1]], [rubber.box[2], rubber.box[3]], [rubber.box[0], rubber.box[3]]], true) }));
     if (rubber?.to) {
@@ -212,6 +291,29 @@ export class Canvas {
     this.draw.readout.update();
   }
 
+  /** The lines of a member, on the screen. */
+  linesOf(name) {
+    return this.draw.state.members.filter((one) => one.name === name).map(({ ends }) => ends.map((end) => this.at(end)));
+  }
+
+  /** The share of its length at which a member is nearest to a place of the screen. */
+  shareOf(name, [x, y]) {
+    const lines = this.linesOf(name), lengths = lines.map(([p, q]) => Math.hypot(q[0] - p[0], q[1] - p[1])), all = lengths.reduce((sum, one) => sum + one, 0) || 1;
+    let best = { apart: Infinity, share: 0.5 }, before = 0;
+    lines.forEach(([p, q], k) => {
+      const f = nearest(p, q, [x, y]), apart = Math.hypot(p[0] + f * (q[0] - p[0]) - x, p[1] + f * (q[1] - p[1]) - y);
+      if (apart < best.apart) best = { apart, share: (before + f * lengths[k]) / all };
+      before += lengths[k];
+    });
+    return best.share;
+  }
+
+  /** The point of a member nearest to a place of the screen. */
+  pointOf(name, place) {
+    const own = this.draw.state.members.filter((one) => one.name === name);
+    return pointAt([...own.map(({ ends }) => ends[0]), own.at(-1).ends[1]].map((end) => this.draw.at(end)), this.shareOf(name, place));
+  }
+
   /** The node or member at a place of the screen; `allowed` chooses among the nodes. */
   hit([x, y], touch = false, allowed = () => true) {
     const { state } = this.draw;
@@ -224,17 +326,31 @@ export class Canvas {
     if (best) return best;
     state.members.forEach(({ name, ends }) => {
       const [p, q] = ends.map((end) => this.at(end));
-      const [dx, dy] = [q[0] - p[0], q[1] - p[1]];
-      const f = Math.min(1, Math.max(0, ((x - p[0]) * dx + (y - p[1]) * dy) / (dx * dx + dy * dy || 1)));
-      const apart = Math.hypot(p[0] + f * dx - x, p[1] + f * dy - y);
+      const f = nearest(p, q, [x, y]);
+      const apart = Math.hypot(p[0] + f * (q[0] - p[0]) - x, p[1] + f * (q[1] - p[1]) - y);
       if (apart <= (touch ? 16 : 8) && (!best || apart < best.apart)) best = { type: "member", name, apart };
     });
     return best;
   }
 }
 
-function arrow(tip, end) {
-  const turned = Math.atan2(tip[1] - end[1], tip[0] - end[0]);
-  const wing = (by) => [tip[0] - 9 * Math.cos(turned + by), tip[1] - 9 * Math.sin(turned + by)];
-  return svg("path", { class: "load", d: path([end, tip]) + path([wing(0.42), tip, wing(-0.42)]) });
+/** The share of a line at which it is nearest to a point of the screen. */
+function nearest(p, q, [x, y]) {
+  const [dx, dy] = [q[0] - p[0], q[1] - p[1]];
+  return Math.min(1, Math.max(0, ((x - p[0]) * dx + (y - p[1]) * dy) / (dx * dx + dy * dy || 1)));
+}
+
+/** The point at a share of the length of a row of points. */
+function pointAt(points, share) {
+  const lengths = points.slice(1).map((point, k) => Math.hypot(...point.map((value, i) => value - points[k][i])));
+  let left = share * lengths.reduce((sum, one) => sum + one, 0);
+  const k = lengths.findIndex((length, i) => (left <= length + 1e-12 || i === lengths.length - 1 ? true : ((left -= length), false)));
+  return points[k].map((value, i) => value + (left / (lengths[k] || 1)) * (points[k + 1][i] - value));
+}
+
+/** A coil spring between two places of the screen. */
+function coil(a, b) {
+  const [dx, dy] = [b[0] - a[0], b[1] - a[1]], far = Math.hypot(dx, dy) || 1, turns = Math.max(4, Math.min(12, Math.round(far / 14)));
+  const at = (share, side) => [a[0] + share * dx - (side * dy * 8) / far, a[1] + share * dy + (side * dx * 8) / far];
+  return [a, at(0.12, 0), ...Array.from({ length: 2 * turns }, (_, k) => at(0.12 + (0.76 * (k + 0.5)) / (2 * turns), k % 2 ? -1 : 1)), at(0.88, 0), b];
 }

@@ -11,7 +11,9 @@ import style from "./editor.css";
 import { Entries } from "./entries.js";
 import { Files } from "./files.js";
 import { Groups } from "./groups.js";
+import { Hand } from "./hand.js";
 import { HANDS } from "./measures.js";
+import { Menu } from "./menu.js";
 import { Picture } from "./picture.js";
 import { Play } from "./play.js";
 import { Properties } from "./properties.js";
@@ -21,8 +23,8 @@ import { Status } from "./status.js";
 import { Sweep } from "./sweep.js";
 import { Take } from "./take.js";
 import { Text } from "./text.js";
-import { Tools } from "./tools.js";
 import { ToolRail } from "./rail.js";
+import { Value } from "./value.js";
 import { Welcome } from "./welcome.js";
 import { Whole } from "./whole.js";
 
@@ -43,9 +45,9 @@ export function startDraw(root) {
 export class Draw extends Talk {
   constructor(root) {
     super(root);
-    Object.assign(this, { state: null, tool: "bar", snap: true, closed: true, cursor: null, rubber: null, pointed: null, gripped: new Set(), several: false, moves: 0, stale: false });
+    Object.assign(this, { state: null, tool: "bar", snap: true, closed: true, cursor: null, rubber: null, pointed: null, gripped: new Set(), several: false, moves: 0, stale: false, dimensions: new Set() });
     this.picked = { nodes: new Set(), members: new Set() };
-    this.shown = { names: true, force: true, lengths: false };
+    this.shown = { names: true, force: true, strength: false, lengths: false };
     this.theme = root.dataset.theme || (matchMedia("(prefers-color-scheme: dark)").matches ? "dark" : "light");
     root.dataset.theme = this.theme;
     this.camera = new Camera();
@@ -68,11 +70,13 @@ export class Draw extends Talk {
     this.task = new Ask(this);
     this.starters = new Starters(this);
     this.takeAway = new Take(this);
+    this.menu = new Menu(this);
+    this.value = new Value(this);
     this.rail = new ToolRail(this);
-    this.tools = new Tools(this);
-    const panel = el("aside", { class: "controls sketch", "aria-label": "drawing" }, el("div", { class: "head" }, this.banner, this.files.offer, this.status.node), el("div", { class: "parts" }, this.status.details, this.properties.node,
-      this.starters.node, this.task.node, this.entries.runsNode, this.entries.node, this.groups.node, this.whole.node, this.curves.node, this.picture.node, this.text.node, this.takeAway.node, this.files.node));
-    root.replaceChildren(this.rail.node, el("main", {}, el("div", { class: "sheet" }, el("div", { class: "sheetpane" }, this.canvas.node, this.welcome.node, this.starters.strip, this.canvas.legend, this.diagram.told, this.doing, this.readout.node, this.spoken), this.play.node), panel));
+    this.tools = new Hand(this);
+    const panel = el("aside", { class: "controls sketch", "aria-label": "drawing" }, el("div", { class: "head" }, this.banner, this.files.offer, this.status.node), el("div", { class: "parts" }, this.status.details, this.properties.node, this.whole.node,
+      this.properties.freshNode, this.entries.runsNode, this.starters.node, this.task.node, this.entries.node, this.groups.node, this.curves.node, this.picture.node, this.text.node, this.takeAway.node, this.files.node));
+    root.replaceChildren(this.rail.node, el("main", {}, el("div", { class: "sheet" }, el("div", { class: "sheetpane" }, this.canvas.node, this.welcome.node, this.starters.strip, this.canvas.legend, this.diagram.told, this.doing, this.readout.node, this.spoken, this.value.node, this.menu.node), this.play.node), panel));
     root.ownerDocument.addEventListener("keydown", (event) => this.rail.key(event));
   }
 
@@ -100,6 +104,14 @@ export class Draw extends Talk {
     if (made?.entry && !made.member) this.entries.show(made.entry);
     if (made?.lost?.length) this.tell(`Removed with it: ${made.lost.join(", ")}.`);
     return answer;
+  }
+
+  /** What a tool has drawn, in one step: values at paths of the model; `pick` is picked then. False if the model refuses it. */
+  async change(words, changes, pick) {
+    const answer = await this.edit({ do: "change", changes, words });
+    if (answer.kind !== "drawing") return false;
+    if (pick) this.pick(pick);
+    return true;
   }
 
   /** A new part from what is picked. */
@@ -190,7 +202,7 @@ export class Draw extends Talk {
   }
 
   take(answer) {
-    const first = !this.state, dim = this.state?.dim;
+    const first = !this.state, dim = this.state?.dim, emptied = Boolean(this.state?.nodes.length) && !answer.nodes.length;
     let running = null;
     if (answer.choices) {
       this.choices = answer.choices;
@@ -204,7 +216,7 @@ export class Draw extends Talk {
     if (!answer.other && !first) this.tell(answer.saved || "");
     this.diagram.spoil();
     this.canvas.rebuild();
-    if (first || answer.dim !== dim) this.fit();
+    if (first || emptied || answer.dim !== dim) this.fit();
     this.curves.spoil();
     for (const part of [this.rail, this.welcome, this.status, this.properties, this.whole, this.groups, this.entries, this.curves, this.diagram, this.text, this.files, this.starters, this.task, this.takeAway]) part.rebuild();
     this.play.spoil();

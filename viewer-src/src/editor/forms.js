@@ -15,6 +15,20 @@ export function flow(value) {
 
 const simple = ({ type, of }) => type === "value" || type === "choice" || type === "text" || type === "flag" || type === "any" || (type === "list" && of.type !== "record");
 
+const DEGREE = Math.PI / 180;
+const NUMBER = /^[+-]?(\d+\.?\d*|\.\d+)(e[+-]?\d+)?$/i;
+
+/** An angle or a rate that the file has in rad, as it is read: 1.5708 is "90 deg"; in lists each. */
+function inDegrees(value, unit) {
+  if (Array.isArray(value)) return value.map((one) => inDegrees(one, unit));
+  return typeof value === "number" ? `${Number((value / DEGREE).toPrecision(10))} ${unit}` : value;
+}
+
+/** What was typed with the unit that the field shows, where it has none. */
+function withUnit(text, unit) {
+  return text.split(",").map((part) => (NUMBER.test(part.trim()) ? `${part.trim()} ${unit}` : part.trim())).join(", ");
+}
+
 export class Forms {
   /** `drafts`: records whose needed fields are not all typed yet, by their path. */
   constructor(draw, again) {
@@ -65,6 +79,13 @@ export class Forms {
     return { context: { set, draft: true }, root, actions: el("div", { class: "row" }, button("Apply", send, { "aria-label": `apply ${key}` }), button("Cancel", drop, { "aria-label": `cancel ${key}` })) };
   }
 
+  /** The unit in which a turning value is shown and typed, deg or deg/s; "" of what does not turn. */
+  degrees(spec, name) {
+    const own = (spec.type === "list" ? spec.of : spec).unit || "", drive = this.draw.state.drives.find((one) => one.name === name);
+    const unit = own.startsWith("rad") ? own : drive?.unit === "rad" && own.includes("or rad") ? own.split("or ")[1] : "";
+    return { rad: "deg", "rad/s": "deg/s" }[unit] || "";
+  }
+
   field(context, spec, name, value, path) {
     if (spec.type === "record") return this.record(context, spec, name, value, path);
     if (spec.type === "table" && simple(spec.of)) return this.table(context, spec, name, value, path);
@@ -73,16 +94,16 @@ export class Forms {
       const options = (spec.type === "flag" ? [true, false] : spec.of).map(String);
       return choice(words(name), [["", spec.default === undefined ? "-" : `${spec.default} (default)`], ...options], value === undefined || value === null ? "" : String(value), (chosen) => context.set(path, chosen || null), label);
     }
-    const list = spec.type === "list" && spec.of.type !== "record";
-    const shown = list && Array.isArray(value) ? flow(value).slice(1, -1) : typeof value === "string" ? value : flow(value);
-    const unit = spec.unit ?? (list ? spec.of.unit : "");
+    const list = spec.type === "list" && spec.of.type !== "record", degrees = this.degrees(spec, name), own = degrees ? inDegrees(value, degrees) : value;
+    const shown = list && Array.isArray(own) ? flow(own).slice(1, -1) : typeof own === "string" ? own : flow(own);
+    const unit = degrees || (spec.unit ?? (list ? spec.of.unit : ""));
     const set = (typed) => {
       if (typed === null) return context.set(path, null);
-      const text = String(typed);
+      const text = degrees && !String(typed).startsWith("[") ? withUnit(String(typed), degrees) : String(typed);
       if (list && !text.startsWith("[")) return context.set(path, spec.of.type === "list" ? `[[${text}]]` : `[${text}]`);
       return context.set(path, spec.type === "text" && SPECIAL.test(text) ? JSON.stringify(text) : text);
     };
-    const hint = spec.default !== undefined && typeof spec.default !== "object" ? `${spec.default}${unit ? ` ${unit}` : ""}` : unit || (list ? "a, b" : "");
+    const hint = spec.default !== undefined && typeof spec.default !== "object" ? `${degrees ? spec.default / DEGREE : spec.default}${unit ? ` ${unit}` : ""}` : unit || (list ? "a, b" : "");
     const entry = field(words(name), shown, set, { hint, size: list || spec.type === "any" ? 16 : 9, name: label });
     offer(entry, label, spec.type === "choice" ? spec.of.map(String) : this.names(spec));
     if (unit && shown !== "") entry.title = unit;
@@ -92,10 +113,13 @@ export class Forms {
   table(context, spec, name, value, path) {
     const rows = Object.entries(value || {}).map(([key, one]) => el("div", { class: "row" }, this.field(context, spec.of, key, one, [...path, key])));
     const label = path.join(".");
-    const fields = [["name", "", ""], ["value", spec.of.unit || "", spec.of.type]].map(([which, hint]) => field(which, "", () => {}, { hint, size: 8, name: `new ${which} in ${label}` }));
-    offer(fields[0], `keys ${label}`, this.names(spec.keys));
+    const names = this.names(spec.keys), next = (spec.keys.names || []).includes("drives") ? names.find((one) => !(one in (value || {}))) || "" : ""; // the drive that is meant, as a rule
+    const unit = this.degrees(spec.of, next) || (spec.of.type === "list" ? spec.of.of.unit : spec.of.unit) || "";
+    const fields = [["name", next, ""], ["value", "", unit]].map(([which, start, hint]) => field(which, start, () => {}, { hint, size: 8, name: `new ${which} in ${label}` }));
+    offer(fields[0], `keys ${label}`, names);
     const add = () => {
-      const [key, typed] = fields.map((one) => one.querySelector("input").value.trim());
+      const [key, words] = fields.map((one) => one.querySelector("input").value.trim()), degrees = this.degrees(spec.of, key);
+      const typed = degrees && !words.startsWith("[") ? withUnit(words, degrees) : words;
       if (key && typed) context.set([...path, key], spec.of.type === "list" && !typed.startsWith("[") ? `[${typed}]` : typed);
     };
     return el("fieldset", {}, el("legend", {}, words(name)), rows, el("div", { class: "row" }, fields, button("Add", add, { "aria-label": `add to ${label}` })));

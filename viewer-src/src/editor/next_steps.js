@@ -2,12 +2,10 @@
 
 import { el } from "../dom.js";
 import { button } from "./fields.js";
+import { freeName } from "./tools/given.js";
 
 const MOST = 4; // buttons of a kind
 const LOAD = -100; // N, upward
-
-/** A name of a table that is not used yet. */
-const free = (data, table, stem) => Array.from({ length: 99 }, (_, k) => (k ? `${stem}${k + 1}` : stem)).find((name) => !(name in (data[table] || {})));
 
 /** [words, label, path, value, whether it plays then] of each step. */
 function stepsOf({ dim, nodes, members, fixed, drives, mobility, missing, data }) {
@@ -21,12 +19,12 @@ function stepsOf({ dim, nodes, members, fixed, drives, mobility, missing, data }
   }
   if (mobility.undriven > 0) {
     const turning = members.filter(({ name, ends }) => held(ends[0]) !== held(ends[1]) && !driven.has(name) && name in (data.bars || {}));
-    return turning.slice(0, MOST).map(({ name, ends }) => [`Turn ${name} about ${ends.find(held)}`, `drive ${name} about ${ends.find(held)}`, ["drives", free(data, "drives", "motor")], { kind: "angle", bar: name }, true]);
+    return turning.slice(0, MOST).map(({ name, ends }) => [`Turn ${name} about ${ends.find(held)}`, `drive ${name} about ${ends.find(held)}`, ["drives", freeName(data, "drives", "motor")], { kind: "angle", bar: name }, true]);
   }
   if (!drives.length || !missing.some((words) => words.startsWith("No load"))) return [];
   const loose = nodes.filter((name) => !held(name)).sort((a, b) => at.get(b) - at.get(a));
   const node = loose.filter((name) => at.get(name) === at.get(loose[0])).at(-1);
-  return node ? [[`${-LOAD} N down at ${node}`, `load on ${node}`, ["loads", free(data, "loads", `F_${node}`)], { node, force: ["0 N", `${LOAD} N`] }, true]] : [];
+  return node ? [[`${-LOAD} N down at ${node}`, `load on ${node}`, ["loads", freeName(data, "loads", `F_${node}`)], { node, force: ["0 N", `${LOAD} N`] }, true]] : [];
 }
 
 /** Buttons of the next steps; each is one edit, which can be undone and changed in the panel. */

@@ -3,7 +3,9 @@
 import { el, section } from "../dom.js";
 import { quantity } from "../format.js";
 import { Forms } from "./forms.js";
+import { materialChoice, sectionChoice, weightText } from "./sections.js";
 import { button, check, choice, field, refill, showIn } from "./fields.js";
+import { freeName, memberOf } from "./tools/given.js";
 
 const KINDS = [["rigid", "rigid"], ["driven", "driven length"], ["elastic", "elastic (spring)"], ["cable", "cable"], ["free", "free (measures only)"]];
 const OTHER = [["active", "active member (rods, screw, motor)"], ["beam", "beam (bends)"], ["link", "link (more pins)"]];
@@ -17,6 +19,14 @@ export class Properties {
     this.body = el("div", {});
     this.forms = new Forms(draw, () => this.rebuild());
     this.node = section("Picked", this.body);
+    this.fresh = el("div", {});
+    this.freshNode = section("Node by its place", this.fresh);
+  }
+
+  /** Its first field, for the keys. */
+  focus() {
+    this.node.open = true;
+    (this.body.querySelector("input[type=text]") || this.body.querySelector("select")).focus();
   }
 
   set(path, value) {
@@ -33,15 +43,16 @@ export class Properties {
     if (!state) return;
     const nodes = [...picked.nodes], members = [...picked.members];
     const lists = this.lists(state, nodes, members);
-    if (nodes.length === 1 && !members.length) refill(this.body, lists, this.ofNode(nodes[0]), this.newNode());
+    refill(this.fresh, this.newNode());
+    if (nodes.length === 1 && !members.length) refill(this.body, lists, this.ofNode(nodes[0]));
     else if (members.length === 1 && !nodes.length) refill(this.body, lists, this.ofMember(members[0]));
-    else refill(this.body, lists, el("p", { class: "faint" }, nodes.length + members.length ? [counted(nodes, "node"), counted(members, "member")].filter(Boolean).join("; ") : "Nothing is picked."), members.length > 1 ? this.ofMany(members) : null, this.making([...(members.length === 2 ? ["angle_spring"] : []), ...(nodes.length + members.length > 1 ? ["body"] : [])]), nodes.length ? null : this.newNode(), state.nodes.length ? null : this.other(state.dim));
+    else refill(this.body, lists, el("p", { class: "faint" }, nodes.length + members.length ? [counted(nodes, "node"), counted(members, "member")].filter(Boolean).join("; ") : "Nothing is picked."), members.length > 1 ? this.ofMany(members) : null, this.making([...(members.length === 2 ? ["angle_spring"] : []), ...(nodes.length + members.length > 1 ? ["body"] : [])]), state.nodes.length ? null : this.other(state.dim));
   }
 
-  /** Lists of all nodes and members: picking by keys. */
+  /** Lists of all nodes and members: picking by keys; and the name of what is picked. */
   lists(state, nodes, members) {
-    const list = (type, label, names, chosen) => choice(label, [["", "-"], ...names], chosen.length === 1 ? chosen[0] : "", (name) => this.draw.pick(name ? { type, name } : null), `pick a ${type}`);
-    return el("div", { class: "row" }, list("node", "Node", state.nodes, nodes), list("member", "Member", [...new Set(state.members.map(({ name }) => name))], members));
+    const list = (type, names, chosen) => choice("", [["", `${type} ...`], ...names], chosen.length === 1 ? chosen[0] : "", (name) => this.draw.pick(name ? { type, name } : null), `pick a ${type}`);
+    return el("div", { class: "row" }, list("node", state.nodes, nodes), list("member", [...new Set(state.members.map(({ name }) => name))], members), nodes.length + members.length === 1 ? this.naming(nodes.length ? "nodes" : memberOf(this.draw, members[0]).table, [...nodes, ...members][0]) : null);
   }
 
   /** An empty drawing of the other kind. */
@@ -59,10 +70,10 @@ export class Properties {
       const answer = await this.draw.edit({ do: "add", at: words.map((word) => (Number.isFinite(Number(word)) ? Number(word) : word)) });
       if (answer.kind !== "drawing") return;
       this.draw.reveal();
-      this.body.querySelector('[aria-label="x of the new node"]').focus();
+      this.fresh.querySelector('[aria-label="x of the new node"]').focus();
     };
     for (const one of inputs) one.addEventListener("keydown", (event) => event.key === "Enter" && add());
-    return el("fieldset", {}, el("legend", {}, "New node at (m, or with a unit)"), el("div", { class: "row" }, inputs, button("Add node", add)));
+    return el("div", { class: "row" }, inputs, button("Add node", add), el("small", {}, "m, or with a unit"));
   }
 
   ofNode(name) {
@@ -76,7 +87,7 @@ export class Properties {
     const held = state.fixed[name] || "";
     const hold = AXES.slice(0, state.dim).map((axis, k) => check(axis, held.includes(axis), (on) =>
       this.set(["fixed", name], AXES.slice(0, state.dim).filter((one) => (one === axis ? on : held.includes(one))).join("") || null), `hold ${name} along ${axis}`));
-    return [this.naming("nodes", name), el("fieldset", {}, el("legend", {}, "Place (m, or with a unit: 50 mm, 2 in)"), el("div", { class: "row" }, places)),
+    return [el("fieldset", {}, el("legend", {}, "Place (m, or with a unit: 50 mm, 2 in)"), el("div", { class: "row" }, places)),
       el("fieldset", {}, el("legend", {}, "Support: held along"), el("div", { class: "row" }, hold, button("All", () => this.set(["fixed", name], AXES.slice(0, state.dim).join("")), { "aria-label": `hold ${name}` }), button("Free", () => this.set(["fixed", name], null), { "aria-label": `free ${name}` }))),
       this.load(name), el("div", { class: "row" }, field("Mass", entry.mass, (value) => this.set(["nodes", name, "mass"], value), { hint: "0 kg", name: `mass of ${name}` }), this.slide(name))];
   }
@@ -103,28 +114,35 @@ export class Properties {
 
   ofMember(name) {
     const { draw } = this, { state } = draw;
-    if (!(name in (state.data.bars || {}))) return this.ofOther(["beams", "links"].find((table) => name in (state.data[table] || {})) || "active", name);
+    const { table } = memberOf(draw, name);
+    if (table !== "bars") return this.ofOther(table, name);
     const entry = this.entry("bars", name);
     const kind = entry.kind || "rigid";
     this.span = el("small", { class: "span" }, this.spanText(name));
+    const weight = el("small", { class: "weight" }, weightText(draw, name));
     const soft = kind === "elastic" || kind === "cable";
     const length = soft ? field("Natural length", entry.natural_length, (value) => this.set(["bars", name, "natural_length"], value), { hint: "as drawn", name: `natural length of ${name}` })
       : field("Length", entry.length, (value) => this.set(["bars", name, "length"], value), { hint: "as drawn", name: `length of ${name}` });
-    return [this.naming("bars", name), this.span,
+    return [this.span, weight,
       el("div", { class: "row" }, choice("Kind", [...KINDS, ...OTHER], kind, (value) => this.setKind(name, value), `kind of ${name}`), length),
       soft ? el("div", { class: "row" }, field("Stiffness", entry.stiffness, (value) => this.set(["bars", name, "stiffness"], value), { hint: "E A/l", name: `stiffness of ${name}` }),
         field("Pretension", entry.pretension, (value) => this.set(["bars", name, "pretension"], value), { hint: "0 N", name: `pretension of ${name}` })) : null,
-      this.angle(name), el("div", { class: "row" }, sectionChoice(draw, entry.section, (value) => this.set(["bars", name, "section"], value), `section of ${name}`),
-        materialChoice(draw, entry.material, (value) => this.set(["bars", name, "material"], value), `material of ${name}`)),
-      el("div", { class: "row" }, field("Mass", entry.mass, (value) => this.set(["bars", name, "mass"], value), { hint: "of its section", name: `mass of ${name}` })), this.making(["angle_spring"])];
+      this.made("bars", name, entry), el("div", { class: "row" }, this.angle(name), button(MAKES.angle_spring, () => this.draw.make("angle_spring")))];
+  }
+
+  /** Of what it is made, and what it weighs. */
+  made(table, name, entry) {
+    const { draw } = this, set = (key) => (value) => this.set([table, name, key], value);
+    return [el("div", { class: "row" }, sectionChoice(draw, entry.section, set("section"), `section of ${name}`, entry.material || draw.state.data.material)),
+      el("div", { class: "row" }, materialChoice(draw, entry.material, set("material"), `material of ${name}`), field("Mass", entry.mass, set("mass"), { hint: "of its section", size: 10, name: `mass of ${name}` }))];
   }
 
   /** An active member, a beam or a link: all its fields. */
   ofOther(table, name) {
     this.span = el("small", { class: "span" }, this.spanText(name));
     const kind = { beams: "beam", links: "link" }[table] || "active";
-    return [this.naming(table, name), this.span, el("div", { class: "row" }, choice("Kind", [["bar", "bar"], ...OTHER], kind, (value) => this.draw.make(value), `kind of ${name}`)),
-      table === "beams" ? this.beamEnds(name) : this.making(["angle_spring"]), this.forms.entry(table, name)];
+    return [this.span, el("small", { class: "weight" }, weightText(this.draw, name)), el("div", { class: "row" }, choice("Kind", [["bar", "bar"], ...OTHER], kind, (value) => this.draw.make(value), `kind of ${name}`)),
+      table === "beams" ? this.beamEnds(name) : this.making(["angle_spring"]), table === "active" ? null : this.made(table, name, this.entry(table, name)), this.forms.entry(table, name)];
   }
 
   /** How a beam is joined at its ends. */
@@ -170,19 +188,16 @@ export class Properties {
     const { state } = this.draw;
     const own = Object.entries(state.data.drives || {}).find(([, one]) => (one.kind || "angle") === "angle" && one.bar === name);
     const options = state.dim === 2 ? [["", "-"], ["on", "yes"]] : [["", "-"], ...AXES.map((axis) => [axis, `about ${axis}`])];
-    return el("div", { class: "row" }, choice("Driven angle", options, own ? own[1].axis || "on" : "", (value) =>
-      this.set(["drives", own?.[0] || this.free("drives", "motor")], value ? { kind: "angle", bar: name, ...(state.dim === 3 ? { axis: value } : {}) } : null), `driven angle of ${name}`));
+    return choice("Driven angle", options, own ? own[1].axis || "on" : "", (value) =>
+      this.set(["drives", own?.[0] || this.free("drives", "motor")], value ? { kind: "angle", bar: name, ...(state.dim === 3 ? { axis: value } : {}) } : null), `driven angle of ${name}`);
   }
 
   free(table, stem) {
-    const used = this.draw.state.data[table] || {};
-    let name = stem;
-    for (let k = 2; name in used; k++) name = `${stem}${k}`;
-    return name;
+    return freeName(this.draw.state.data, table, stem);
   }
 
   naming(table, name) {
-    return el("div", { class: "row" }, field("Name", name, (value) => (value === null ? this.rebuild() : this.draw.edit({ do: "rename", table, old: name, new: String(value) })), { name: `name of ${name}` }));
+    return field("Name", name, (value) => (value === null ? this.rebuild() : this.draw.edit({ do: "rename", table, old: name, new: String(value) })), { size: 5, name: `name of ${name}` });
   }
 
   spanText(name) {
@@ -217,30 +232,4 @@ function shortened(value) {
 function counted(names, what) {
   if (!names.length) return "";
   return `${names.length} ${what}${names.length === 1 ? "" : "s"}: ${names.slice(0, LISTED).join(", ")}${names.length > LISTED ? " ..." : ""}`;
-}
-
-/** A section of the model, of the library, or a tube by its diameters. */
-export function sectionChoice(draw, value, set, name) {
-  const names = [...Object.keys(draw.state.data.sections || {}), ...draw.choices.sections];
-  const own = value && typeof value === "object" ? "own" : value || "";
-  const outer = field("Outer", own === "own" ? value.outer ?? value.diameter : "", () => {}, { hint: "20 mm", size: 6, name: `outer diameter, ${name}` });
-  const inner = field("Inner", own === "own" ? value.inner : "", () => {}, { hint: "0", size: 6, name: `inner diameter, ${name}` });
-  const tube = () => {
-    const [d, i] = [outer, inner].map((one) => one.querySelector("input").value.trim());
-    const bare = [d, i].find((one) => Number(one) !== 0 && Number.isFinite(Number(one)));
-    if (bare !== undefined) return draw.tell(`A diameter needs its unit, or it would be metres: ${bare} mm.`, true);
-    if (d) set(!i || Number(i) === 0 ? { kind: "rod", diameter: d } : { kind: "tube", outer: d, inner: i });
-  };
-  const fields = el("span", { class: "row", hidden: own !== "own" }, outer, inner, button("Set", tube, { "aria-label": `set ${name}` }));
-  const list = choice("Section", [["", name.endsWith("of the model") ? "none" : "of the model"], ...new Set(names), ["own", "tube or rod ..."]], own, (chosen) => {
-    fields.hidden = chosen !== "own";
-    if (chosen !== "own") set(chosen || null);
-  }, name);
-  return el("span", { class: "row" }, list, fields);
-}
-
-export function materialChoice(draw, value, set, name) {
-  const names = [...Object.keys(draw.state.data.materials || {}), ...draw.choices.materials];
-  const own = value && typeof value === "object" ? [["own", "of its own"]] : [];
-  return choice("Material", [["", name.endsWith("of the model") ? "none" : "of the model"], ...new Set(names), ...own], own.length ? "own" : value || "", (chosen) => chosen !== "own" && set(chosen || null), name);
 }

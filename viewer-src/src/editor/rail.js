@@ -1,23 +1,21 @@
 // The tools above the drawing, and the keys of the page.
 
-import { el, press } from "../dom.js";
+import { el, press, svg } from "../dom.js";
 import { field } from "./fields.js";
 import { HANDS } from "./measures.js";
 import { metres } from "./readout.js";
+import { GROUPS, TOOLS } from "./tools/index.js";
 
-const TOOLS = [
-  ["pick", "Pick", "v", "Pick and change: drag nodes, lengths follow; Shift adds to what is picked, Shift-drag draws a box (V)"],
-  ["move", "Move", "m", "Move what is drawn: drag a node, all lengths are kept and drives follow (M)"],
-  ["node", "Node", "n", "A node where you click (N)"],
-  ["bar", "Bar", "b", "A bar from press to release, or from click to click; it makes the nodes it needs (B)"],
-  ["positions", "Positions", "q", "Positions that a linkage shall take: press at a point of the body, release along its direction (Q)"],
-  ["path", "Path", "w", "A path that a linkage shall draw: press, draw, release (W)"],
-];
+/** The picture of a tool. */
+export function iconOf(path) {
+  return svg("svg", { class: "icon", viewBox: "0 0 24 24", width: 24, height: 24, "aria-hidden": "true" }, svg("path", { d: path }));
+}
 
 export class ToolRail {
   constructor(draw) {
     this.draw = draw;
-    this.tools = new Map(TOOLS.map(([name, words, , title]) => [name, el("button", { type: "button", title, onclick: () => draw.setTool(name) }, words)]));
+    this.tools = new Map([...TOOLS.values()].map(({ name, words, key, about, icon }) => [name, el("button", { type: "button", "aria-label": words, title: `${about} (${key.toUpperCase()})`, onclick: () => draw.setTool(name) }, iconOf(icon), el("span", {}, words))]));
+    const palette = el("div", { class: "palette", role: "toolbar", "aria-label": "tools" }, GROUPS.map(([name, tools]) => el("span", { class: "group", role: "group", "aria-label": name }, tools.map((tool) => this.tools.get(tool.name)))));
     const made = (words, title, action) => el("button", { type: "button", title, "aria-label": title.replace(/ \(.*/, ""), onclick: action }, words);
     this.several = made("Several", "Pick several: as with Shift held", () => this.toggleSeveral());
     this.several.className = "several";
@@ -27,21 +25,24 @@ export class ToolRail {
     this.fit = made("Fit", "Show all (F)", () => draw.fit());
     this.names = made("Names", "Names and forces (A)", () => this.toggle("names"));
     this.force = made("Forces", "Colour by force (C)", () => this.toggle("force"));
+    this.strength = made("Strength", "Colour by strength: how much of what is allowed is used (8)", () => this.toggle("strength"));
     this.lengths = made("Lengths", "Lengths and angles (L)", () => this.toggle("lengths"));
     this.snap = made("Snap", "Snap to the grid (G)", () => this.toggleSnap());
     this.theme = made("◐", "Dark or light (D)", () => draw.toggleTheme());
-    this.looks = el("span", { class: "group", role: "group", "aria-label": "view" }, ["corner", "top", "front", "side"].map((name) => el("button", { type: "button", title: `View: ${name}`, onclick: () => this.look(name) }, name[0].toUpperCase() + name.slice(1))));
-    this.plane = el("span", { class: "group plane" });
-    this.grid = el("span", { class: "group" });
+    this.fold = el("button", { type: "button", class: "fold", "aria-expanded": "false", title: "What is shown: names, colours, diagram, grid", onclick: () => this.fold.setAttribute("aria-expanded", String(this.node.classList.toggle("open"))) }, "View ▾"); // on a phone
+    this.looks = el("span", { class: "group view", role: "group", "aria-label": "view" }, ["corner", "top", "front", "side"].map((name) => el("button", { type: "button", title: `View: ${name}`, onclick: () => this.look(name) }, name[0].toUpperCase() + name.slice(1))));
+    this.plane = el("span", { class: "group view plane" });
+    this.grid = el("span", { class: "group view" });
     this.title = el("h1", {});
     this.node = el("header", { class: "toolbar rail" }, el("div", { class: "title" }, this.title, el("a", { href: "../", class: "operate" }, "Operate: sliders and forces")),
-      el("div", { class: "tools" }, el("span", { class: "group", role: "group", "aria-label": "tools" }, [...this.tools.values()], this.several),
-        el("span", { class: "group" }, this.undo, this.redo, this.delete),
-        el("span", { class: "group" }, this.fit, this.names, this.force, this.lengths, this.snap, this.theme, draw.diagram.node), this.grid, this.looks, this.plane));
+      el("div", { class: "tools" }, el("span", { class: "group" }, this.several, this.undo, this.redo, this.delete, this.fit, this.fold),
+        el("span", { class: "group view" }, this.names, this.force, this.strength, this.lengths, this.snap, this.theme, draw.diagram.node), this.grid, this.looks, this.plane), palette);
   }
 
   toggle(name) {
-    this.draw.shown[name] = !this.draw.shown[name];
+    const { shown } = this.draw, other = { force: "strength", strength: "force" }[name];
+    shown[name] = !shown[name];
+    if (other && shown[name]) shown[other] = false; // a bar has one colour
     this.draw.canvas.update();
     this.rebuild();
   }
@@ -76,6 +77,7 @@ export class ToolRail {
     press(this.several, draw.several);
     press(this.names, draw.shown.names);
     press(this.force, draw.shown.force);
+    press(this.strength, draw.shown.strength);
     press(this.lengths, draw.shown.lengths);
     press(this.snap, draw.snap);
     if (!state) return;
@@ -117,6 +119,11 @@ export class ToolRail {
     const { draw } = this, { target } = event;
     const typing = target.tagName === "TEXTAREA" || target.tagName === "SELECT" || (target.tagName === "INPUT" && target.type !== "checkbox");
     if (draw.closed || event.defaultPrevented || typing) return;
+    this.press(event);
+  }
+
+  press(event) {
+    const { draw } = this, { target } = event;
     const key = event.key.length === 1 ? event.key.toLowerCase() : event.key;
     if (event.ctrlKey || event.metaKey) {
       const command = { z: event.shiftKey ? "redo" : "undo", y: "redo" }[key];
@@ -128,9 +135,9 @@ export class ToolRail {
       return;
     }
     if (event.altKey) return;
-    const tool = TOOLS.find((one) => one[2] === key);
+    const tool = [...TOOLS.values()].find((one) => one.key === key);
     const turn = { i: [0, 0.12], k: [0, -0.12], j: [-0.12, 0], o: [0.12, 0] }[key];
-    if (tool) draw.setTool(tool[0]);
+    if (tool) draw.setTool(tool.name);
     else if (turn) { draw.camera.turn(...turn); draw.canvas.update(); }
     else if (key === "Delete" || key === "Backspace") draw.remove();
     else if (key === "Escape") draw.tools.escape();
@@ -138,6 +145,7 @@ export class ToolRail {
     else if (key === "f") draw.fit();
     else if (key === "a") this.toggle("names");
     else if (key === "c") this.toggle("force");
+    else if (key === "8") this.toggle("strength");
     else if (key === "l") this.toggle("lengths");
     else if (key === "g") this.toggleSnap();
     else if (key === "d") draw.toggleTheme();

@@ -2,7 +2,7 @@
 
 import { el, section } from "../dom.js";
 import { button, field, refill } from "./fields.js";
-import { materialChoice, sectionChoice } from "./properties.js";
+import { materialChoice, sectionChoice, weightText } from "./sections.js";
 
 export class Whole {
   constructor(draw) {
@@ -19,9 +19,9 @@ export class Whole {
     const gravity = data.gravity || Array(dim).fill(0);
     const fields = [..."xyz"].slice(0, dim).map((axis, k) => field(`g${axis}`, gravity[k], (value) => set(["gravity"], gravity.map((one, i) => (i === k ? value ?? 0 : one))), { size: 6, name: `gravity along ${axis}` }));
     const fresh = (count, words) => button(words, () => draw.edit({ do: "fresh", dim: count }), { title: "It can be undone." });
-    refill(this.body, el("div", { class: "row" }, field("Title", data.title, (value) => set(["title"], value === null ? null : String(value)), { size: 20, name: "title" })),
-      el("div", { class: "row" }, fields, el("small", {}, "m/s²")),
-      el("div", { class: "row" }, sectionChoice(draw, data.section, (value) => set(["section"], value), "section of the model"), materialChoice(draw, data.material, (value) => set(["material"], value), "material of the model")),
+    refill(this.body, el("div", { class: "row" }, sectionChoice(draw, data.section, (value) => set(["section"], value), "section of the model", data.material)),
+      el("div", { class: "row" }, materialChoice(draw, data.material, (value) => set(["material"], value), "material of the model"), el("small", {}, weightText(draw))),
+      el("div", { class: "row" }, fields, el("small", {}, "m/s²")), el("div", { class: "row" }, field("Title", data.title, (value) => set(["title"], value === null ? null : String(value)), { size: 20, name: "title" })),
       el("div", { class: "row" }, fresh(2, "New, in the plane"), fresh(3, "New, in space")));
   }
 }

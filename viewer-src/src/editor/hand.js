@@ -1,17 +1,19 @@
-// What pointer and keys do in the drawing: pick and move, nodes, bars; pan, turn and approach.
+// What pointer and keys do in the drawing: pick and move, nodes, bars, what tools are given; pan, turn and approach; the menu.
 
 import { clean } from "./camera.js";
 import { HANDS } from "./measures.js";
+import { TOOLS } from "./tools/index.js";
 
 const SLACK = 4; // pixels that a click may move
+const LONG = 550; // ms after which the press of a finger is long
 const FEW_KEYS = { ArrowLeft: [-1, 0], ArrowRight: [1, 0], ArrowUp: [0, 1], ArrowDown: [0, -1] };
 
 /** The number of a drag: its moves are one step of undo. */
 const stroke = () => Math.floor(Math.random() * 2 ** 50);
 
-export class Tools {
+export class Hand {
   constructor(draw) {
-    this.draw = draw;
+    Object.assign(this, { draw, given: [], before: null });
     this.pointers = new Map();
     const { node } = draw.canvas;
     node.addEventListener("pointerdown", (event) => this.down(event));
@@ -23,7 +25,7 @@ export class Tools {
       draw.camera.zoom(Math.exp(-event.deltaY / 500), this.place(event));
       draw.canvas.update();
     }, { passive: false });
-    node.addEventListener("contextmenu", (event) => event.preventDefault());
+    node.addEventListener("contextmenu", (event) => event.preventDefault()); // a press without moving opens it, of keys `key`
     node.addEventListener("keydown", (event) => this.key(event));
     node.addEventListener("blur", () => {
       this.cancelAct();
@@ -57,9 +59,12 @@ export class Tools {
     this.pointers.set(event.pointerId, place);
     draw.canvas.node.focus({ preventScroll: true });
     this.setCursor(null);
+    draw.menu.close();
+    clearTimeout(this.long);
     if (this.pointers.size === 2) return this.pinch();
+    if (touch) this.long = setTimeout(() => this.pressed(place), LONG);
     if (event.button === 1 || event.button === 2 || event.altKey) {
-      this.act = { kind: draw.camera.dim === 3 && !event.shiftKey ? "turn" : "pan", last: place };
+      this.act = { kind: draw.camera.dim === 3 && !event.shiftKey ? "turn" : "pan", last: place, start: place, asks: event.button === 2 };
       return;
     }
     if (draw.picture.placing) return draw.picture.click(place);
@@ -67,6 +72,7 @@ export class Tools {
     if (!HANDS[draw.tool] && draw.play.away) return this.back();
     if (HANDS[draw.tool]) this.begin(hit, place, event);
     else if (draw.task.takes(draw.tool)) this.act = draw.task.begin(draw.tool, place, this.target(place, touch));
+    else if (this.using) this.act = this.give(this.wanted(place, touch)) ? { kind: "give", start: place } : null;
     else this.act = { kind: draw.tool, start: place, from: this.target(place, touch) };
   }
 
@@ -86,10 +92,13 @@ export class Tools {
     const { draw } = this, { act } = this, place = this.place(event);
     if (this.pointers.has(event.pointerId)) this.pointers.set(event.pointerId, place);
     if (act?.kind === "pinch") return this.pinched();
+    if (act && Math.hypot(place[0] - (act.start || place)[0], place[1] - (act.start || place)[1]) > SLACK) clearTimeout(this.long);
     if (!act) return this.hover(place);
+    if (act.kind === "give") return this.show(place, event.pointerType === "touch");
     if (act.kind === "pan" || act.kind === "turn") {
       const [dx, dy] = [place[0] - act.last[0], place[1] - act.last[1]];
-      if (act.clear && Math.hypot(place[0] - act.start[0], place[1] - act.start[1]) > SLACK) act.clear = false;
+      const far = Math.hypot(place[0] - act.start[0], place[1] - act.start[1]) > SLACK;
+      if (far) act.clear = act.asks = false;
       if (act.kind === "pan") draw.camera.pan(dx, dy);
       else draw.camera.turn(-dx / 150, dy / 150);
       act.last = place;
@@ -110,6 +119,8 @@ export class Tools {
     const { draw } = this;
     if (draw.closed) return;
     const hit = draw.canvas.hit(place);
+    draw.canvas.near(hit);
+    if (this.using) return this.show(place);
     if (HANDS[draw.tool]) return this.point(hit?.type === "node" ? { name: hit.name, at: draw.at(hit.name) } : null);
     const point = hit?.type === "node" ? draw.at(hit.name) : draw.camera.unproject(place);
     const to = point && (hit?.type === "node" ? point : draw.snapped(point));
@@ -149,8 +160,11 @@ export class Tools {
   up(event) {
     const { draw, act } = this, place = this.place(event);
     this.pointers.delete(event.pointerId);
+    clearTimeout(this.long);
     this.act = null;
     draw.rubber = null;
+    if (act?.asks) return draw.menu.open(place, this.there(place));
+    if (act?.kind === "give") return this.released(act, place, event.pointerType === "touch");
     if (act?.kind === "drag") draw.pointed = null;
     if (act?.kind === "pan" && act.clear) draw.pick(null);
     else if (act?.kind === "drag" && act.moved) this.release(act);
@@ -172,6 +186,7 @@ export class Tools {
   }
 
   cancel(event) {
+    clearTimeout(this.long);
     this.pointers.delete(event.pointerId);
     this.act = null;
     this.draw.rubber = null;
@@ -222,6 +237,109 @@ export class Tools {
     else await draw.edit({ do: "add", at: draw.cut(to.point), bar_from: start });
   }
 
+  // -- what a tool is given -----------------------------------------------------------------------------------------
+
+  /** The tool that is used, if it is one of those that are given places and things. */
+  get using() {
+    const tool = TOOLS.get(this.draw.tool);
+    return tool?.takes ? tool : null;
+  }
+
+  /** Whether a click with what is given is enough, though the tool would take more of a pull. */
+  get enough() {
+    return this.given.length === 1 && Boolean(this.using.more?.(this.given[0]));
+  }
+
+  /** What is at a place of the screen. */
+  there(place, touch) {
+    const { draw } = this, hit = draw.canvas.hit(place, touch);
+    if (hit?.type === "node") return { node: hit.name, point: draw.at(hit.name) };
+    return { ...(hit ? { member: hit.name, share: draw.canvas.shareOf(hit.name, place) } : {}), point: hit ? draw.canvas.pointOf(hit.name, place) : draw.camera.unproject(place) };
+  }
+
+  /** What the tool wants next at a place; null, and a word about it, if that is not there. */
+  wanted(place, touch, quiet = false) {
+    const { draw, using } = this, kind = using.takes(this.given, draw);
+    if (kind === "place") {
+      const target = this.target(place, touch);
+      return target && { ...target, node: target.node };
+    }
+    if (kind === "tip") {
+      const point = draw.camera.unproject(place, this.given[0].point[draw.camera.plane.axis] || 0);
+      return point && { point };
+    }
+    const found = kind === "member" ? this.memberAt(place, touch) : this.there(place, touch);
+    if (found && (kind === "thing" ? found.node || found.member : found[kind])) return found;
+    if (!quiet) draw.tell(`${using.words}: ${{ node: "a node", member: "a bar, beam or link", thing: "a node or a bar" }[kind]} is wanted here. ${using.about}.`, true);
+    return null;
+  }
+
+  /** A member, also where a node is near: beside that node. */
+  memberAt(place, touch) {
+    const hit = this.draw.canvas.hit(place, touch, () => false);
+    return hit && { member: hit.name, share: this.draw.canvas.shareOf(hit.name, place), point: this.draw.canvas.pointOf(hit.name, place) };
+  }
+
+  /** Give something to the tool; true if there was something. */
+  give(target) {
+    if (!target) return false;
+    this.given = [...this.given, target];
+    return true;
+  }
+
+  /** What is drawn with the pointer at a place. */
+  show(place, touch) {
+    const { draw, using } = this;
+    const to = using.takes(this.given, draw) ? this.wanted(place, touch, true) : null;
+    draw.rubber = { parts: using.shows?.(draw, this.given, to) || [], to: to?.point || null };
+    draw.canvas.rubber();
+  }
+
+  /** The release: a pull gives what is there too, a click waits for the next one if the tool needs it. */
+  released(act, place, touch) {
+    const { draw, using } = this, moved = Math.hypot(place[0] - act.start[0], place[1] - act.start[1]) > SLACK;
+    if (moved && using.takes(this.given, draw)) this.give(this.wanted(place, touch, this.enough));
+    this.finish();
+    draw.canvas.rubber();
+  }
+
+  /** Do it once all is given. */
+  finish() {
+    const { draw, using } = this;
+    if (!using || !this.given.length || (using.takes(this.given, draw) && !this.enough)) return;
+    const { given, before } = this;
+    this.given = [];
+    draw.rubber = null;
+    draw.tell("");
+    using.act(draw, given).then((value) => value && draw.value.ask(value));
+    if (before) draw.setTool(before);
+  }
+
+  /** A tool of the menu, begun at what is there; afterwards the one before goes on. */
+  once(tool, target) {
+    const { draw } = this, before = draw.tool;
+    draw.setTool(tool.name);
+    if (!tool.takes) {
+      if (tool.name === "node") this.drawNode({ node: target.node, point: draw.snapped(target.point) });
+      else return this.clickBar({ node: target.node, point: target.node ? target.point : draw.snapped(target.point) });
+      return draw.setTool(before);
+    }
+    this.before = before;
+    const snapped = tool.takes([], draw) === "place" && !target.node ? { point: draw.snapped(target.point) } : target;
+    this.given = [snapped];
+    if (tool.takes(this.given, draw) && !this.enough) draw.tell(`${tool.about}.`);
+    this.finish();
+  }
+
+  /** A finger has rested: the menu, in place of what it had begun. */
+  pressed(place) {
+    const { draw } = this;
+    this.cancelAct();
+    this.act = null;
+    this.pointers.clear();
+    draw.menu.open(place, this.there(place, true));
+  }
+
   // -- two fingers -------------------------------------------------------------------------------------------------
 
   pinch() {
@@ -232,6 +350,8 @@ export class Tools {
   cancelAct() {
     this.draw.rubber = null;
     this.pending = null;
+    this.given = [];
+    this.before = null;
   }
 
   pinched() {
@@ -256,6 +376,10 @@ export class Tools {
   key(event) {
     const { draw } = this, { camera } = draw;
     if (event.ctrlKey || event.metaKey || event.altKey) return;
+    if (event.key === "ContextMenu" || (event.key === "F10" && event.shiftKey)) {
+      event.preventDefault();
+      return this.ask();
+    }
     const way = FEW_KEYS[event.key];
     if (way && this.grabbed) {
       event.preventDefault();
@@ -270,6 +394,7 @@ export class Tools {
         next[v] = start[v] + way[1] * step;
       }
       this.setCursor(camera.snapped(next));
+      if (this.using && this.given.length) this.show(camera.project(draw.cursor));
       const hit = draw.canvas.hit(camera.project(draw.cursor));
       draw.say(`${hit ? `${hit.type} ${hit.name}, ` : ""}${draw.cut(draw.cursor).join(", ")} m`);
     } else if (event.key === "Enter" && draw.cursor) {
@@ -304,9 +429,20 @@ export class Tools {
   escape() {
     if (this.grabbed) return this.grab(null);
     if (this.draw.play.away) return this.draw.play.home();
+    const { before } = this;
+    if (before) this.draw.setTool(before);
     this.cancelAct();
     this.setCursor(null);
     this.draw.pick(null);
+  }
+
+  /** The menu of keys: at the cursor, else at what is picked, else in the middle. */
+  ask() {
+    const { draw } = this, { camera, picked } = draw, [node] = picked.nodes, [member] = picked.members;
+    const ends = member && draw.state.members.find(({ name }) => name === member).ends.map((end) => draw.at(end));
+    const at = draw.cursor || (node ? draw.at(node) : ends ? ends[0].map((value, k) => (value + ends[1][k]) / 2) : camera.unproject([camera.width / 2, camera.height / 2]));
+    const place = camera.project(at), own = !draw.cursor && (node || member);
+    draw.menu.open(place, !own ? this.there(place) : node ? { node, point: at } : { member, share: 0.5, point: at });
   }
 
   enter(event) {
@@ -315,7 +451,9 @@ export class Tools {
     const hit = draw.canvas.hit(place);
     const target = hit?.type === "node" ? { node: hit.name, point: draw.at(hit.name) } : { point: draw.cursor };
     if (!HANDS[draw.tool] && draw.play.away) return this.back();
-    if (draw.tool === "node") this.drawNode(target);
+    if (this.using) {
+      if (this.give(this.wanted(place))) this.finish();
+    } else if (draw.tool === "node") this.drawNode(target);
     else if (draw.tool === "bar") this.clickBar(target);
     else if (draw.task.takes(draw.tool)) draw.task.enter(draw.tool, target.point);
     else if (draw.tool === "move" && this.grabbed) this.grab(null);
