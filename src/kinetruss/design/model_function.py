@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections import ChainMap
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, NamedTuple, cast
 
 import numpy as np
 
@@ -17,6 +17,7 @@ from kinetruss.errors import Fault, InputError, ModelError
 from kinetruss.gradients import Entries, read_entries
 from kinetruss.gradients.analyses import POINTS, point_of
 from kinetruss.gradients.points import gradients_at
+from kinetruss.gradients.responses import Sheet
 from kinetruss.gradients.varied import varied
 from kinetruss.io import set_values
 from kinetruss.io.values import fitting, number_at, resolved
@@ -49,6 +50,15 @@ class _Asked:
     """Name of the limit, response."""
 
 
+class _Solved(NamedTuple):
+    """The model at a point p, its analyses at their solution, and the entries of their responses."""
+
+    key: bytes
+    model: Model
+    points: list[Any]
+    entries: list[list[Entries]]
+
+
 class ModelFunction:
     """The `Function` of a task: rows of limits in the order of the task, its load cases, entries, sides.
 
@@ -62,7 +72,7 @@ class ModelFunction:
         """The variable that is itself made small."""
         self.unit = "" if self.own is None else variables[self.own].unit
         self.asked = _asked(model, task)
-        self._last: tuple[bytes, list[list[Entries]]] | None = None
+        self._last: _Solved | None = None
         start = np.array([one.start for one in variables])
         self.limits = self._rows(self._entries(start))
         self.problem = Problem(
@@ -85,13 +95,11 @@ class ModelFunction:
 
     def gradients(self, p: NDArray[np.float64], rows: NDArray[np.int64]) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
         """Derivatives of both by the variables, in SI."""
-        by = varied(self.model_at(p), self.paths)
+        solved = self._at(p)
+        by = varied(solved.model, self.paths)
         slope = np.zeros((len(rows), len(p)))
         of_objective = np.array([float(k == self.own) for k in range(len(p))])
-        for j, asked in enumerate(self.asked):
-            point = _analysed(asked, by.system)
-            data = point.data()
-            read = [read_entries(text, data, _more(point, by.model, data)) for _, text in asked.texts]
+        for j, (asked, point, read) in enumerate(zip(self.asked, solved.points, solved.entries, strict=True)):
             # both sides of a limit have the gradient of one entry
             wanted: dict[tuple[int, int], list[int]] = {}
             wanted |= {(i, 0): [] for i, (name, _) in enumerate(asked.texts) if name == OBJECTIVE}
@@ -105,14 +113,14 @@ class ModelFunction:
             every = list(wanted.items())
             for some in (every[k : k + most] for k in range(0, len(every), most)):
                 seeds = [read[text].seeds(entry) for (text, entry), _ in some]
-                for ((text, _), places), found in zip(some, self._slopes(p, point, by, data, seeds), strict=True):
+                for ((text, _), places), found in zip(some, self._slopes(p, point, by, seeds), strict=True):
                     if asked.texts[text][0] == OBJECTIVE:
                         of_objective = found
                     for place in places:
                         slope[place] = found * self.limits.sign_over_size[rows[place]]
         return of_objective, slope
 
-    def _slopes(self, p: NDArray[np.float64], point: Any, by: Any, data: Any, seeds: Sequence[Mapping[str, Any]]) -> Any:
+    def _slopes(self, p: NDArray[np.float64], point: Any, by: Any, seeds: Sequence[Mapping[str, Any]]) -> Any:
         """Derivatives (responses, n): of results by the analysis, of what members bear by its formulas."""
         own = [{name: one for name, one in seed.items() if name not in NAMES} for seed in seeds]
         found = np.zeros((len(seeds), len(p)))
@@ -122,8 +130,7 @@ class ModelFunction:
         if any(name in seed for seed in seeds for name in NAMES):
             variables = self.problem.variables
             step = STEP * np.array([abs(at) or one.upper - one.lower for at, one in zip(p, variables, strict=True)])
-            members = [str(name) for name in data["member"].values]
-            for name, slope in slopes(self.model_at, p, members, step).items():
+            for name, slope in slopes(self.model_at, p, _members(point.data()), step).items():
                 for k, seed in enumerate(seeds):
                     if name in seed:
                         found[k] += np.nan_to_num(seed[name]) @ np.nan_to_num(slope)
@@ -149,17 +156,22 @@ class ModelFunction:
         return left
 
     def _entries(self, p: NDArray[np.float64]) -> list[list[Entries]]:
+        return self._at(p).entries
+
+    def _at(self, p: NDArray[np.float64]) -> _Solved:
+        """The analyses at a point; those at the last one are kept, as gradients follow values."""
         key = p.tobytes()
-        if self._last is None or self._last[0] != key:
+        if self._last is None or self._last.key != key:
             model = self.model_at(p)
-            system, found = compile(model), []
-            for asked in self.asked:
-                point = _analysed(asked, system)
+            points = [_analysed(asked, compile(model)) for asked in self.asked]
+            entries = []
+            for asked, point in zip(self.asked, points, strict=True):
                 data = point.data()
-                more = _more(point, model, data)
-                found.append([_read(name, text, data, more) for name, text in asked.texts])
-            self._last = (key, found)
-        return self._last[1]
+                more: Any = ChainMap(getattr(point, "more", {}), cast("Any", beside(model, _members(data))))
+                sheet = Sheet.of(data, more)
+                entries.append([_read(name, text, sheet) for name, text in asked.texts])
+            self._last = _Solved(key, model, points, entries)
+        return self._last
 
     def _objective(self, found: list[list[Entries]], p: NDArray[np.float64]) -> float:
         if self.own is not None:
@@ -200,15 +212,13 @@ class ModelFunction:
         return LimitRows(blocks)
 
 
-def _more(point: Any, model: Model, data: Any) -> Mapping[str, Any]:
-    """The variables beside those of the data of an analysis: its own, and what members bear."""
-    own: Any = getattr(point, "more", {})
-    return ChainMap(own, beside(model, data))
+def _members(data: Any) -> list[str]:
+    return [str(name) for name in data["member"].values] if "member" in data.coords else []
 
 
-def _read(name: str, text: str, data: Any, more: Mapping[str, Any]) -> Entries:
+def _read(name: str, text: str, sheet: Sheet) -> Entries:
     try:
-        return read_entries(text, data, more)
+        return read_entries(text, sheet)
     except InputError as error:
         path = (OBJECTIVE,) if name == OBJECTIVE else ("limits", name, "of")
         raise ModelError([Fault(path, str(error), "")]) from None

@@ -11,6 +11,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from kinetruss.gradients.differences import FOUR
+from kinetruss.gradients.responses import Beside
 from kinetruss.mechanics import compile, ends_of
 from kinetruss.model import Model
 from kinetruss.results import variable
@@ -41,12 +42,14 @@ def member_loads(model: Model, members: Sequence[str]) -> dict[str, NDArray[np.f
     return found
 
 
-def beside(model: Model, data: Any) -> dict[str, Any]:
-    """The same as variables beside those of a result, in the order of its members."""
-    if "member" not in data.coords:
-        return {}
-    found = member_loads(model, [str(name) for name in data["member"].values])
-    return {name: variable(("member",), one, "N", "load that the member bears") for name, one in found.items()}
+def beside(model: Model, members: Sequence[str]) -> Beside:
+    """The same as variables beside those of a result with these members."""
+
+    def found() -> dict[str, Any]:
+        loads = member_loads(model, members)
+        return {name: variable(("member",), one, "N", "load that the member bears") for name, one in loads.items()}
+
+    return Beside(dict.fromkeys(NAMES, found) if len(members) else {})
 
 
 def slopes(

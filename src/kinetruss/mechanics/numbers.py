@@ -67,7 +67,7 @@ def system_of(system: System, changes: Mapping[str, NDArray[np.float64]], model:
     """
     joined, own = _gathered(system)
     found, by_itself = replace(system_at(system, changes), given=model, model=model.whole), compile(model)
-    keep(_gathered, found, (joined, Numbers(own | changes)))
+    keep(_gathered, found, (joined, Numbers({**own, **changes})))
     one, other = _own_arrays(found), _own_arrays(by_itself)
     same = (found.nodes, found.members, found.measures) == (by_itself.nodes, by_itself.members, by_itself.measures)
     alike = same and one.keys() == other.keys() and all(_alike(one[name], other[name]) for name in one)
