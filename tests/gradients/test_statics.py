@@ -9,6 +9,7 @@ from hypothesis import given, settings, strategies as st
 import kinetruss as kt
 from kinetruss.errors import AnalysisError, InputError
 from kinetruss.io import set_value
+from kinetruss.io.values import number_at, resolved
 
 LEFT_OUT = ("stiffness", "mode_shape")
 GENERAL = kt.General(area=1e-4, I2=1e-9, I3=1e-9, c2=0.01, c3=0.01)
@@ -156,6 +157,34 @@ def test_the_factor_of_a_column_by_its_spring_and_length():
     value, by = kt.value_and_gradient(factor, ["bars.s.stiffness", "loads.P.force.1", "nodes.C.at.1"])
     assert value == pytest.approx(5.0, rel=1e-9)
     assert by.values == pytest.approx([0.5, 5.0, 2.5], rel=1e-8)
+
+
+def test_the_factor_of_a_stiff_tower():
+    # what the load adds to the stiffness is 1e-5 of it
+    nodes = {f"{row}{i}": (x, float(i)) for i in range(6) for row, x in (("l", 0.0), ("r", 1.0 - 0.02 * i))}
+    pairs = [(f"{row}{i}", f"{row}{i + 1}") for i in range(5) for row in "lr"]
+    pairs += [(f"{a}{i + j}", f"{b}{i + 1}") for i in range(5) for a, b, j in (("l", "r", 0), ("r", "l", 0), ("l", "r", 1))]
+    model = kt.Model(
+        nodes=nodes, fixed=["l0", "r0"], material="steel_s235", gravity=(0, -9.81),
+        bars={a + b: kt.Bar(ends=(a, b), kind="elastic", section=kt.Rod(diameter=0.02)) for a, b in pairs},
+        loads={"push": kt.NodalForce(node="l5", force=(0, -100.0))},
+    )  # fmt: skip
+    factor = kt.Response("load_factor[1]", kt.statics.buckling, model, load="push")
+    assert kt.check_gradient(factor, [f"bars.{one}.section.diameter" for one in ("l0l1", "r4r5", "l2r3")], 1e-3).error < 1e-7
+
+
+@pytest.mark.parametrize("analysis", [kt.statics.linear, kt.flexible.frequencies])
+def test_what_is_known_of_other_models_changes_no_gradient(analysis):
+    model, wrt = redundant(), ["bars.*.section.area", "nodes.N1?.at.0", "loads.tip.force.0"]
+    text = "energy" if analysis is kt.statics.linear else "frequency[1]"
+    chance = np.random.default_rng(5)
+    for changes in (["nodes.N11.at.0"], ["loads.tip.force.0"], ["nodes.N10.at.0"], ["nodes.N11.at.1"], ["material.E"]):
+        changes += [f"bars.{a}{b}.section.area" for a, b in PAIRS[:5]]
+        was = {path: number_at(model, path, resolved(model, path)) for path in changes}
+        model = kt.io.set_values(model, {path: one * chance.uniform(0.9, 1.1) for path, one in was.items()})
+        known, alone = (kt.value_and_gradient(kt.Response(text, analysis, one), wrt) for one in (model, model.with_()))
+        assert known[0] == pytest.approx(alone[0], rel=1e-12)
+        assert known[1].values == pytest.approx(alone[1].values, rel=1e-9, abs=1e-12 * np.abs(alone[1].values).max())
 
 
 def sagging():

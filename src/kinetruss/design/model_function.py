@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections import ChainMap
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, NamedTuple, cast
 
 import numpy as np
 
@@ -17,6 +17,7 @@ from kinetruss.errors import Fault, InputError, ModelError
 from kinetruss.gradients import Entries, read_entries
 from kinetruss.gradients.analyses import POINTS, point_of
 from kinetruss.gradients.points import gradients_at
+from kinetruss.gradients.responses import Sheet
 from kinetruss.gradients.varied import varied
 from kinetruss.io import set_values
 from kinetruss.io.values import fitting, number_at, resolved
@@ -49,6 +50,15 @@ class _Asked:
     """Name of the limit, response."""
 
 
+class _Solved(NamedTuple):
+    """The model at a point p, its analyses at their solution, and the entries of their responses."""
+
+    key: bytes
+    model: Model
+    points: list[Any]
+    entries: list[list[Entries]]
+
+
 class ModelFunction:
     """The `Function` of a task: rows of limits in the order of the task, its load cases, entries, sides.
 
@@ -66,7 +76,7 @@ class ModelFunction:
         """The variable that is itself made small."""
         self.unit = "" if self.own is None else variables[self.own].unit
         self.asked = _asked(model, task)
-        self._last: tuple[bytes, list[list[Entries]]] | None = None
+        self._last: _Solved | None = None
         start = np.array([one.start for one in variables])
         found = self._entries(start)
         self.limits = self._rows(found)
@@ -98,13 +108,11 @@ class ModelFunction:
 
     def gradients(self, p: NDArray[np.float64], rows: NDArray[np.int64]) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
         """Derivatives of both by the variables, in SI."""
-        by = varied(self.model_at(p), [paths for _, _, paths in self.parts])
+        solved = self._at(p)
+        by = varied(solved.model, [paths for _, _, paths in self.parts])
         slope = np.zeros((len(rows), len(p)))
         of_objective = np.array([float(k == self.own) for k in range(len(p))])
-        for j, asked in enumerate(self.asked):
-            point = _analysed(asked, by.system)
-            data = point.data()
-            read = [read_entries(text, data, _more(point, by.model, data)) for _, text in asked.texts]
+        for j, (asked, point, read) in enumerate(zip(self.asked, solved.points, solved.entries, strict=True)):
             # both sides of a limit have the gradient of one entry
             wanted: dict[tuple[int, int], list[int]] = {}
             wanted |= {(i, 0): [] for i, (name, _) in enumerate(asked.texts) if name == OBJECTIVE}
@@ -118,14 +126,14 @@ class ModelFunction:
             every = list(wanted.items())
             for some in (every[k : k + most] for k in range(0, len(every), most)):
                 seeds = [read[text].seeds(entry) for (text, entry), _ in some]
-                for ((text, _), places), found in zip(some, self._slopes(p, point, by, data, seeds), strict=True):
+                for ((text, _), places), found in zip(some, self._slopes(p, point, by, seeds), strict=True):
                     if asked.texts[text][0] == OBJECTIVE:
                         of_objective = found
                     for place in places:
                         slope[place] = found * self.limits.sign_over_size[rows[place]]
         return of_objective, slope
 
-    def _slopes(self, p: NDArray[np.float64], point: Any, by: Any, data: Any, seeds: Sequence[Mapping[str, Any]]) -> Any:
+    def _slopes(self, p: NDArray[np.float64], point: Any, by: Any, seeds: Sequence[Mapping[str, Any]]) -> Any:
         """Derivatives (responses, n): of results by the analysis, of what members bear by its formulas."""
         own = [{name: one for name, one in seed.items() if name not in NAMES} for seed in seeds]
         found = np.zeros((len(seeds), len(p)))
@@ -136,7 +144,7 @@ class ModelFunction:
         if any(name in seed for seed in seeds for name in NAMES):
             variables = self.problem.variables
             step = STEP * np.array([abs(at) or one.upper - one.lower for at, one in zip(p, variables, strict=True)])
-            for name, slope in slopes(self.model_at, p, names_of(data), step).items():
+            for name, slope in slopes(self.model_at, p, names_of(point.data()), step).items():
                 for k, seed in enumerate(seeds):
                     if name in seed:
                         found[k] += np.nan_to_num(seed[name]) @ np.nan_to_num(slope)
@@ -162,25 +170,29 @@ class ModelFunction:
         return left
 
     def _entries(self, p: NDArray[np.float64]) -> list[list[Entries]]:
-        key = p.tobytes()
-        if self._last is None or self._last[0] != key:
-            self._last = (key, self._results(self.model_at(p)))
-        return self._last[1]
+        return self._at(p).entries
 
-    def _results(self, model: Model) -> list[list[Entries]]:
-        system, found = compile(model), []
-        for asked in self.asked:
-            point = _analysed(asked, system)
+    def _at(self, p: NDArray[np.float64]) -> _Solved:
+        """The analyses at a point; those at the last one are kept, as gradients follow values."""
+        key = p.tobytes()
+        if self._last is None or self._last.key != key:
+            self._last = self._solved(self.model_at(p), key)
+        return self._last
+
+    def _solved(self, model: Model, key: bytes = b"") -> _Solved:
+        points = [_analysed(asked, compile(model)) for asked in self.asked]
+        entries = []
+        for asked, point in zip(self.asked, points, strict=True):
             data = point.data()
-            more = _more(point, model, data)
-            found.append([_read(name, text, data, more) for name, text in asked.texts])
-        return found
+            sheet = Sheet.of(data, ChainMap(getattr(point, "more", {}), cast("Any", beside(model, names_of(data)))))
+            entries.append([_read(name, text, sheet) for name, text in asked.texts])
+        return _Solved(key, model, points, entries)
 
     def judged(self, model: Model) -> tuple[float, float, str]:
         """Of this model with other parts: the objective (NaN if it is a variable that is gone with the part), the largest
         excess of a limit, and its name.
         """
-        found = self._results(model)
+        found = self._solved(model).entries
         limits = self.limits.at(found)
         excess = limits.excess(found)
         worst = int(excess.argmax()) if len(excess) else -1
@@ -235,15 +247,9 @@ class ModelFunction:
         return LimitRows(blocks)
 
 
-def _more(point: Any, model: Model, data: Any) -> Mapping[str, Any]:
-    """The variables beside those of the data of an analysis: its own, and what members bear."""
-    own: Any = getattr(point, "more", {})
-    return ChainMap(own, beside(model, data))
-
-
-def _read(name: str, text: str, data: Any, more: Mapping[str, Any]) -> Entries:
+def _read(name: str, text: str, sheet: Sheet) -> Entries:
     try:
-        return read_entries(text, data, more)
+        return read_entries(text, sheet)
     except InputError as error:
         path = (OBJECTIVE,) if name == OBJECTIVE else ("limits", name, "of")
         raise ModelError([Fault(path, str(error), "")]) from None

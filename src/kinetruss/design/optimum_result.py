@@ -220,8 +220,9 @@ def question(function: ModelFunction) -> dict[str, Any]:
         **{name: getattr(task, name) for name in own}, "unit": function.unit,
         "model": function.model.title,
         "variables": [
-            {"name": one.name, "of": list(task.variables[one.name].of), "paths": sum(len(paths) for of, _, paths in function.parts if of == k), "lower": one.lower,
-             "upper": one.upper, "start": one.start, "unit": one.unit, "scale": one.scale,
+            {"name": one.name, "of": list(task.variables[one.name].of),
+             "paths": sum(len(paths) for of, _, paths in function.parts if of == k), "lower": one.lower, "upper": one.upper,
+             "start": one.start, "unit": one.unit, "scale": one.scale,
              "choose": list(map(float, task.variables[one.name].choose or ()))}
             for k, one in enumerate(function.problem.variables)
         ],

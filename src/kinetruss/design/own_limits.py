@@ -13,6 +13,7 @@ import numpy as np
 
 from kinetruss.actuators.shafts import parts_of as train_parts
 from kinetruss.gradients.differences import FOUR
+from kinetruss.gradients.responses import Beside
 from kinetruss.mechanics import compile, ends_of
 from kinetruss.model import Model
 from kinetruss.results import variable
@@ -70,15 +71,19 @@ def names_of(data: Any) -> dict[str, list[str]]:
     return {dim: [str(name) for name in data[dim].values] for dim in ("member", "active") if dim in data.coords}
 
 
-def beside(model: Model, data: Any) -> dict[str, Any]:
-    """What they bear as variables beside those of a result, in its order."""
-    found = _borne(model, names_of(data))
-    return {
-        name: variable(("member",), one, MEMBERS[name], "load that the member bears")
-        if name in MEMBERS
-        else variable(("active",), one, MOTORS[name], "limit of the motor")
-        for name, one in found.items()
-    }
+def beside(model: Model, names: Names) -> Beside:
+    """The same as variables beside those of a result with these members and active members."""
+
+    def loads() -> dict[str, Any]:
+        found = member_loads(model, names["member"])
+        return {name: variable(("member",), one, MEMBERS[name], "load that the member bears") for name, one in found.items()}
+
+    def limits() -> dict[str, Any]:
+        found = motor_limits(model, names["active"])
+        return {name: variable(("active",), one, MOTORS[name], "limit of the motor") for name, one in found.items()}
+
+    every: dict[str, Callable[[], dict[str, Any]]] = dict.fromkeys(MEMBERS, loads) if "member" in names else {}
+    return Beside(every | (dict.fromkeys(MOTORS, limits) if "active" in names else {}))
 
 
 def slopes(

@@ -14,7 +14,7 @@ from kinetruss.errors import AnalysisError, InputError
 from kinetruss.gradients.analyses import name_of, point_of
 from kinetruss.gradients.differences import FOUR
 from kinetruss.gradients.points import gradients_at
-from kinetruss.gradients.responses import Read, read_response
+from kinetruss.gradients.responses import Read, Sheet, read_response
 from kinetruss.gradients.varied import Varied, Wrt, varied
 from kinetruss.mechanics import compile
 from kinetruss.model import Model
@@ -95,7 +95,7 @@ def value_and_gradient(of: Response | Sequence[Response], wrt: Wrt) -> tuple[Any
 
     Notes
     -----
-    Exact up to round-off: the adjoint of the equations of the analysis, with differences of fourth order of what the elements
+    Exact to about ten digits: the adjoint of the equations of the analysis, with differences of third order of what elements
     compute at fixed unknowns, in as few evaluations as the colours of the numbers (Curtis, Powell & Reid, 1974).
 
     >>> import kinetruss as kt
@@ -122,8 +122,8 @@ def _found(several: Sequence[Response], by: Varied, single: bool) -> tuple[Any, 
     # along a run the marks that tell the numbers of a system from each other would grow
     system = compile(first.model) if name_of(first.analysis) == "dynamics.simulate" else by.system
     point = point_of(first.analysis)(system, **first.arguments)
-    data, more = point.data(), getattr(point, "more", None)
-    read = [read_response(one.text, data, more) for one in several]
+    sheet = Sheet.of(point.data(), getattr(point, "more", None))
+    read = [read_response(one.text, sheet) for one in several]
     for one, own in zip(several, read, strict=True):
         if not all(np.isfinite(seed).all() for seed in own.seeds.values()):
             raise AnalysisError(f"{one.text} has no gradient here: it has the root or the size of 0, or divides by it.")

@@ -14,6 +14,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from kinetruss.dynamics.least_norm import apply_loads
+from kinetruss.elements.caching import cached
 from kinetruss.errors import AnalysisError
 from kinetruss.flexible.natural_frequencies import MORE
 from kinetruss.flexible.structure import Softness, instants_of, modes_of, refuse_unloaded_beams, structure_at
@@ -22,7 +23,7 @@ from kinetruss.gradients.kinks import refuse_kinks
 from kinetruss.gradients.nearness import site_of_rows, sites
 from kinetruss.kernels.structure.structure import EndForces, States
 from kinetruss.mechanics import RANK_TOLERANCE, System, constraint_jacobian, rearrange
-from kinetruss.mechanics.balance import balance_of
+from kinetruss.mechanics.balance import Balance, balance_of
 from kinetruss.statics import at_poses
 from kinetruss.statics.active_set import PULLS, kinks_of
 from kinetruss.statics.small_displacements import flexibility, loads_at, stiff_rows
@@ -36,7 +37,7 @@ if TYPE_CHECKING:
 class FrequenciesPoint(Eigenvalues):
     """A `Point` of `flexible.frequencies`, with its arguments and a load case in place of forces."""
 
-    linear = False
+    linear = True
     name, unit, words = "frequency", "Hz", "natural frequency"
 
     def __init__(
@@ -81,7 +82,7 @@ class FrequenciesPoint(Eigenvalues):
         """Root (rows,) of the weights of the rows in the least norm."""
         if self.alone or not len(system.row_member):
             return np.ones(len(system.row_member))
-        return np.asarray(np.sqrt(rearrange(system, system.x0, None).weight))
+        return _roots(system)
 
     def _balanced(self, system: System) -> tuple[Floats, Floats]:
         """A (free, rows) and b (free,)."""
@@ -131,7 +132,7 @@ class FrequenciesPoint(Eigenvalues):
 
     def terms(self, system: System, unknown: Floats) -> Floats:
         """As of `Eigenvalues`."""
-        balance = balance_of(system, self.case)
+        balance = _balance(system, self.case)
         N = unknown / self._scale(system)
         at = structure_at(balance, self.softness, system.x0, N, np.zeros(system.x0.size))
         phi, w2 = self.shapes, self.squares
@@ -141,3 +142,13 @@ class FrequenciesPoint(Eigenvalues):
         rows[~self.hard] = e[~self.hard] ** 2 / at.f[~self.hard, None]
         rows[self.hard] = 2 * self.held * e[self.hard]
         return np.asarray(np.concatenate([inner, rows]) / (4 * np.pi * np.sqrt(w2))).T
+
+
+@cached()
+def _roots(system: System) -> Floats:
+    return np.asarray(np.sqrt(rearrange(system, system.x0, None).weight))
+
+
+@cached()
+def _balance(system: System, case: str | None) -> Balance:
+    return balance_of(system, case)

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
@@ -12,7 +11,6 @@ from kinetruss.errors import AnalysisError, few
 from kinetruss.gradients.nearness import sites
 from kinetruss.mechanics import System
 from kinetruss.mechanics.system import standing_for
-from kinetruss.results import variable
 from kinetruss.runs.at_rest import acting_between, forces_of_linear, resting
 from kinetruss.statics import Linear
 from kinetruss.strength.utilisations import axes_of_verdict, utilised
@@ -20,28 +18,7 @@ from kinetruss.strength.utilisations import axes_of_verdict, utilised
 if TYPE_CHECKING:
     from numpy.typing import NDArray
 
-    from kinetruss.results import Column
-
     Floats = NDArray[np.float64]
-
-
-class Judged(Mapping[str, Any]):
-    """The variable ``utilisation`` (part, rule), found when it is read."""
-
-    def __init__(self, of: Any) -> None:
-        self.of = of
-
-    def __getitem__(self, name: str) -> Column:
-        if name != "utilisation":
-            raise KeyError(name)
-        values = utilisation(self.of.system, self.of.told(self.of.system, self.of.unknown), self.of.case)
-        return variable(("part", "rule"), values, "", "demand over capacity")
-
-    def __iter__(self) -> Iterator[str]:
-        yield "utilisation"
-
-    def __len__(self) -> int:
-        return 1
 
 
 def utilisation(system: System, told: tuple[dict[str, Any], dict[str, Any]], case: str | None) -> Floats:

@@ -14,12 +14,14 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from kinetruss.errors import AnalysisError
-from kinetruss.gradients.judged import Judged, judged_axes, judged_sites, utilisation
+from kinetruss.gradients.judged import judged_axes, judged_sites, utilisation
 from kinetruss.gradients.kinks import refuse_kinks
 from kinetruss.gradients.nearness import site_of_rows, sites
+from kinetruss.gradients.responses import Beside
 from kinetruss.gradients.told import Told
 from kinetruss.mechanics import System, constraint_jacobian
 from kinetruss.mechanics.arguments import number_of, positions_of
+from kinetruss.results import variable
 from kinetruss.statics.active_set import PULLS, Kinks, given_displacements, kinks_of, solve_one_sided, stored_energy
 from kinetruss.statics.linear_statics import Known, known_forces, rigid_rows, variables
 from kinetruss.statics.small_displacements import (
@@ -146,10 +148,15 @@ class LinearPoint(Told):
         """As `statics.linear` tells."""
         return variables(*self._solved(system, unknown))
 
-    @property
-    def more(self) -> Judged:
+    @cached_property
+    def more(self) -> Beside:
         """The utilisation of members."""
-        return Judged(self)
+
+        def found() -> dict[str, Any]:
+            values = utilisation(self.system, self.told(self.system, self.unknown), self.case)
+            return {"utilisation": variable(("part", "rule"), values, "", "demand over capacity")}
+
+        return Beside({"utilisation": found})
 
     def data(self) -> xr.Dataset:
         """The results as users read them, with the names of what is judged."""

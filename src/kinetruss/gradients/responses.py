@@ -8,8 +8,9 @@ from __future__ import annotations
 import ast
 import re
 from collections import ChainMap
-from collections.abc import Mapping
+from collections.abc import Callable, Iterator, Mapping, MutableMapping
 from dataclasses import dataclass, field
+from functools import cached_property, lru_cache
 from keyword import kwlist
 from typing import TYPE_CHECKING, Any, cast
 
@@ -74,12 +75,62 @@ class Entries:
         return dict(self._at.seeds)
 
 
-def read_response(text: str, data: xr.Dataset, more: Mapping[str, Any] | None = None) -> Read:
+class Beside(Mapping[str, Any]):
+    """Variables beside those of a result, with ``dims``, ``values`` and ``attrs``: by name what finds it, maybe among others,
+    when it is first read.
+    """
+
+    def __init__(self, sources: Mapping[str, Callable[[], Mapping[str, Any]]]) -> None:
+        self._sources, self._found = sources, dict[str, Any]()
+
+    def __getitem__(self, name: str) -> Any:
+        if name not in self._found:
+            self._found |= self._sources[name]()
+        return self._found[name]
+
+    def __iter__(self) -> Iterator[str]:
+        return iter(self._sources)
+
+    def __len__(self) -> int:
+        return len(self._sources)
+
+
+@dataclass(frozen=True, eq=False)
+class Sheet:
+    """What responses read of a result: variables by name, with ``dims``, ``values`` and ``attrs``, and names along axes, which
+    stand by themselves (`labels`) or are units of what has their axis (`units`).
+    """
+
+    variables: MutableMapping[str, Any]
+    coords: MutableMapping[str, Any]
+
+    @classmethod
+    def of(cls, data: xr.Dataset | Sheet, more: Mapping[str, Any] | None = None) -> Sheet:
+        """That of a dataset, with further variables."""
+        if isinstance(data, Sheet):
+            return data if more is None else Sheet(ChainMap(data.variables, cast("Any", more)), data.coords)
+        every = {str(name): one for name, one in data.variables.items()}
+        coords = {str(name): every.pop(str(name)) for name in data.coords}
+        return cls.of(cls(every, coords), more)
+
+    @cached_property
+    def labels(self) -> dict[str, list[Any]]:
+        """The names along each axis."""
+        return {name: [*one.values.tolist()] for name, one in self.coords.items() if one.dims == (name,)}
+
+    @cached_property
+    def units(self) -> dict[str, tuple[str, list[str]]]:
+        """By name the axis and the units along it."""
+        return {name: (str(one.dims[0]), one.values.tolist()) for name, one in self.coords.items() if len(one.dims) == 1}
+
+
+def read_response(text: str, data: xr.Dataset | Sheet, more: Mapping[str, Any] | None = None) -> Read:
     """The value of a response of a result, and its derivatives by what it reads.
 
     Parameters
     ----------
-    text : the response. data : the result. more : further variables by name, with ``dims``, ``values`` and ``attrs``.
+    text : the response. data : the result, or its `Sheet`. more : further variables by name, with ``dims``, ``values`` and
+    ``attrs``.
 
     Raises
     ------
@@ -108,7 +159,7 @@ def read_response(text: str, data: xr.Dataset, more: Mapping[str, Any] | None = 
     return Read(float(found.array), found.kind.unit, seeds, tuple(at.ties), at.seeds if at.ties else {})
 
 
-def read_entries(text: str, data: xr.Dataset, more: Mapping[str, Any] | None = None) -> Entries:
+def read_entries(text: str, data: xr.Dataset | Sheet, more: Mapping[str, Any] | None = None) -> Entries:
     """All values of a response, one or several, as `read_response` reads it.
 
     Raises
@@ -128,21 +179,23 @@ def read_entries(text: str, data: xr.Dataset, more: Mapping[str, Any] | None = N
     return Entries(found.array, found.dims, labels, found.kind.unit, found, at)
 
 
-def _parsed(text: str, data: xr.Dataset, more: Mapping[str, Any] | None) -> tuple[Value, Source]:
+def _parsed(text: str, data: xr.Dataset | Sheet, more: Mapping[str, Any] | None) -> tuple[Value, Source]:
     """The value of a whole response."""
     if len(text) > LONGEST:
         raise InputError(f"The response has {len(text)} characters, more than {LONGEST}. Make it shorter.")
     text = KEYWORD.sub(r'"\1"', text.strip())
+    sheet = Sheet.of(data, more)
+    at = Source(sheet.variables, sheet.labels, sheet.units)
     try:
-        tree = ast.parse(text, mode="eval").body
-    except (SyntaxError, ValueError, RecursionError, MemoryError):
-        raise InputError(f"{shown(text)} is no response. Write for example max(abs(member_force)).") from None
-    labels = {str(name): [*one.values.tolist()] for name, one in data.coords.items() if one.dims == (name,)}
-    own = {str(name): one for name, one in data.data_vars.items()}
-    units = {str(name): (str(one.dims[0]), one.values.tolist()) for name, one in data.coords.items() if len(one.dims) == 1}
-    at = Source(ChainMap(own, cast("Any", more or {})), labels, units)
-    try:
-        found = value_of(tree, text, at, 0)
+        found = value_of(_tree(text), text, at, 0)
     except ExpressionError as error:
         raise InputError(f"The response {shown(text)} {error.message} {error.mend}") from None
     return found, at
+
+
+@lru_cache(maxsize=1000)
+def _tree(text: str) -> ast.expr:
+    try:
+        return ast.parse(text, mode="eval").body
+    except (SyntaxError, ValueError, RecursionError, MemoryError):
+        raise InputError(f"{shown(text)} is no response. Write for example max(abs(member_force)).") from None

@@ -6,12 +6,13 @@ import math
 import re
 from collections.abc import Callable, Container, Iterable, Mapping
 from dataclasses import dataclass
-from typing import TYPE_CHECKING, Any, NamedTuple, cast
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
 from kinetruss.errors import InputError
 from kinetruss.gradients import read_response
+from kinetruss.gradients.responses import Sheet
 from kinetruss.mechanics import compile
 from kinetruss.mechanics.matrices import mass_by_nodes
 from kinetruss.results import Column, Columns, Result
@@ -22,7 +23,6 @@ from kinetruss.runs.results import RunResult
 from kinetruss.strength.verdict import highest
 
 if TYPE_CHECKING:
-    import xarray as xr
     from numpy.typing import NDArray
 
 
@@ -93,16 +93,9 @@ JUDGED = {"utilisation", "margin"}
 CASE = "load_case"
 
 
-class Sheet(NamedTuple):
-    """The variables of a run by name, and the names along their axes: what `gradients.read_response` reads of a dataset."""
-
-    data_vars: dict[str, Any]
-    coords: dict[str, Any]
-
-
 def sheet(run: RunResult) -> Sheet:
     """All variables of a run, without inner parts. With several load cases those of forces have an axis more, ``load_case``."""
-    own = Sheet({}, {})
+    own = Sheet(dict[str, Any](), dict[str, Any]())
     _gather(own, "forces", {case: _columns(one) for case, one in run.forces.items()})
     if run.verdict is not None:
         _gather(own, "verdict", {"": _columns(run.verdict)}, JUDGED)
@@ -130,15 +123,15 @@ def _gather(own: Sheet, kind: str, cases: Mapping[str, Columns], wanted: Contain
             axes[name] = name if np.array_equal(there.values, one.values) else f"{name} of {kind}"
             own.coords.setdefault(axes[name], one)
     for name, one in first.items():
-        new = name not in own.data_vars and name not in axes and (wanted is None or name in wanted)
+        new = name not in own.variables and name not in axes and (wanted is None or name in wanted)
         if not new or np.asarray(one.values).dtype.kind != "f":
             continue
         dims = tuple(axes.get(dim, dim) for dim in one.dims)
         every = [columns[name].values for columns in cases.values() if name in columns]
         if len(cases) == 1:
-            own.data_vars[name] = Column(dims, one.values, one.attrs)
+            own.variables[name] = Column(dims, one.values, one.attrs)
         elif len(every) == len(cases) and len({np.shape(values) for values in every}) == 1:
-            own.data_vars[name] = Column((CASE, *dims), np.stack(every), one.attrs)
+            own.variables[name] = Column((CASE, *dims), np.stack(every), one.attrs)
             own.coords.setdefault(CASE, Column((CASE,), np.array(list(cases)), {}))
 
 
@@ -171,11 +164,11 @@ class Kept:
 
 
 def _response(run: RunResult, own: Sheet, known: Mapping[str, float], name: str, text: str) -> tuple[float, str]:
-    words = [word for word in dict.fromkeys(NAME.findall(text)) if word in STANDARD and word not in own.data_vars]
+    words = [word for word in dict.fromkeys(NAME.findall(text)) if word in STANDARD and word not in own.variables]
     values = {word: known[word] if word in known else STANDARD[word].of(run) for word in words}
     more = {word: Column((), np.asarray(value), {"units": STANDARD[word].unit}) for word, value in values.items()}
     try:
-        read = read_response(text, cast("xr.Dataset", own), more)
+        read = read_response(text, own, more)
     except InputError as error:
         raise InputError(f"results.{name}: {error}") from None
     return read.value, read.unit
