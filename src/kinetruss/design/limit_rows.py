@@ -16,6 +16,7 @@ from kinetruss.gradients import Entries
 if TYPE_CHECKING:
     from numpy.typing import NDArray
 
+
 @dataclass(frozen=True, kw_only=True, eq=False)
 class Block:
     """One side of one limit in one load case: which of the analyses (`analysis`), of their responses (`text`), of its values

@@ -24,8 +24,8 @@ if TYPE_CHECKING:
     from numpy.typing import NDArray
 
     from kinetruss.design.model_function import ModelFunction
-    from kinetruss.design.under_mission import Listed
     from kinetruss.design.optimum.problem import Problem
+    from kinetruss.design.under_mission import Listed
 
 SHARE = 0.01
 """Of a limit, by which it is moved in words."""
@@ -244,8 +244,8 @@ def _listed_words(found: Optimum, listed: Listed) -> list[str]:
 
 
 def _cost(found: Optimum, objective: float) -> str:
-    more = 100 * (objective - found.objective) / abs(found.objective) if found.objective else math.nan
-    than = "" if math.isnan(more) else f", {abs(more):.2g} % {'more' if more > 0 else 'less'} than without lists"
+    more = (objective - found.objective) / abs(found.objective) if found.objective else math.nan
+    than = f", {quantity(abs(more), '%')} {'more' if more > 0 else 'less'} than without lists" if abs(more) > FEASIBLE else ""
     return f": {found.task.least} {quantity(objective, found.unit)}{than}"
 
 

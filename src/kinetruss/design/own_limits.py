@@ -27,7 +27,14 @@ if TYPE_CHECKING:
     Names = Mapping[str, Sequence[str]]
 
 MEMBERS = {"buckling_load": "N", "yield_load": "N"}
-MOTORS = {"max_voltage": "V", "max_current": "A", "max_speed": "rad/s", "max_torque": "N m", "rated_current": "A", "rated_torque": "N m"}
+MOTORS = {
+    "max_voltage": "V",
+    "max_current": "A",
+    "max_speed": "rad/s",
+    "max_torque": "N m",
+    "rated_current": "A",
+    "rated_torque": "N m",
+}
 NAMES = (*MEMBERS, *MOTORS)
 
 

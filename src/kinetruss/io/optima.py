@@ -38,7 +38,9 @@ def read_optimum(path: str | Path, *, max_size: int = MAX_SIZE) -> OptimumTask:
     others = dict.fromkeys(MODEL_KEYS, ("is a model, not the task of an optimum.", "A task names it: model: FILE."))
     others["kinetruss_mission"] = ("is a mission, not the task of an optimum.", "Size it by kinetruss size.")
     task = record_of_file(path, lambda data: OptimumTask(**data), START, others, max_size)
-    return task.with_(**{one: str(path.parent / own) for one in ("model", "mission") if (own := getattr(task, one)) is not None})
+    return task.with_(
+        **{one: str(path.parent / own) for one in ("model", "mission") if (own := getattr(task, one)) is not None}
+    )
 
 
 def placed_in(path: str | Path, faults: Iterable[Fault]) -> list[Fault]:
