@@ -10,6 +10,7 @@ from typing import TYPE_CHECKING, Any, NamedTuple, cast
 import numpy as np
 
 from kinetruss.design.limit_rows import Block, LimitRows
+from kinetruss.design.optimum.evaluations import BeyondError
 from kinetruss.design.optimum.problem import Problem, Variable
 from kinetruss.design.own_limits import NAMES, beside, names_of, slopes
 from kinetruss.design.vibration_point import VibrationPoint
@@ -122,6 +123,8 @@ class ModelFunction:
                     wanted.setdefault((block.text, int(block.kept[k])), []).append(place)
             if not wanted:
                 continue
+            if any(np.isinf(read[text].values).any() for text, _ in wanted):
+                raise BeyondError(p)
             most = max(1, AT_ONCE // max(read[text].values.size for text, _ in wanted))
             every = list(wanted.items())
             for some in (every[k : k + most] for k in range(0, len(every), most)):

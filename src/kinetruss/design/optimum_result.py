@@ -318,8 +318,8 @@ def _listed_words(found: Optimum, listed: Listed) -> list[str]:
 
 
 def _cost(found: Optimum, objective: float) -> str:
-    more = 100 * (objective - found.objective) / abs(found.objective) if found.objective else math.nan
-    than = "" if math.isnan(more) else f", {abs(more):.2g} % {'more' if more > 0 else 'less'} than without lists"
+    more = (objective - found.objective) / abs(found.objective) if found.objective else math.nan
+    than = f", {quantity(abs(more), '%')} {'more' if more > 0 else 'less'} than without lists" if abs(more) > FEASIBLE else ""
     return f": {found.task.least} {quantity(objective, found.unit)}{than}"
 
 

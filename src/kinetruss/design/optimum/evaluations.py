@@ -19,6 +19,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from kinetruss.design.optimum.problem import Problem
+from kinetruss.errors import AnalysisError
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray
@@ -27,6 +28,17 @@ FEASIBLE = 1e-6
 """Largest excess, of the size of its limit, of a point that is taken as feasible."""
 UNKNOWN = 1e3
 """Excess of a value that is not known, although it was at the start, or infinite, as of a member beyond its buckling load."""
+
+
+class BeyondError(AnalysisError):
+    """A place p (n,) where limits that are far exceeded have no gradient, as they are infinite or nearly so."""
+
+    def __init__(self, p: NDArray[np.float64]) -> None:
+        super().__init__(
+            "Limits are infinite near the start of the search, as of a member beyond its buckling load, and have no gradient. "
+            "Start with stronger members, or raise the least values of variables."
+        )
+        self.p = p
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)

@@ -12,7 +12,8 @@ from typing import TYPE_CHECKING, Any, Literal
 import numpy as np
 from scipy.optimize import Bounds, NonlinearConstraint, linprog, minimize
 
-from kinetruss.design.optimum.evaluations import FEASIBLE, UNKNOWN, Evaluations
+from kinetruss.design.optimum.certificate import worst_of_families
+from kinetruss.design.optimum.evaluations import FEASIBLE, BeyondError, Evaluations
 from kinetruss.errors import AnalysisError, InputError
 
 if TYPE_CHECKING:
@@ -25,6 +26,11 @@ FAR = 1.0
 """Excess, of the size of a limit, from which on a place without gradient is left again."""
 PENALTY = 10.0
 """Of an excess of 1 over an objective of 1, at the beginning of a sequence of linear programs."""
+
+
+def joining(asked: Evaluations, p: NDArray[np.float64], rows: NDArray[np.int64]) -> NDArray[np.int64]:
+    """The limits that are exceeded at a point and not among these."""
+    return np.setdiff1d(worst_of_families(asked.values(p)[1], asked.problem.family, -FEASIBLE), rows)
 
 
 class Scaled:
@@ -60,24 +66,21 @@ def search(
     return _SOLVERS[method](Scaled(asked, rows, z), z, iterations, tolerance)
 
 
-class _BeyondError(Exception):
-    """A place where limits that are far exceeded have no gradient, as they are infinite or nearly so."""
-
-
 def _slsqp(scaled: Scaled, z: NDArray[np.float64], iterations: int, tolerance: float) -> tuple[NDArray[np.float64], str]:
-    """From where a step led to values that are not known, it goes back, and on with shorter reach."""
-    reach, known = 1.0, z
+    """From where a step led to a place without gradient it goes back, and on with shorter reach, if no limits are to join."""
+    reach, known, problem = 1.0, z, scaled.asked.problem
+    beyond: BeyondError | None = None
 
     def slopes(z: NDArray[np.float64]) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
         nonlocal known
         worst = scaled.at(z)[1].max(initial=0.0)
         try:
-            if worst >= UNKNOWN:
-                raise _BeyondError
             found = scaled.slopes(z)
+        except BeyondError:
+            raise
         except AnalysisError:
             if worst > FAR:
-                raise _BeyondError from None
+                raise BeyondError(problem.real(np.asarray(z))) from None
             raise
         known = np.array(z)
         return found
@@ -92,17 +95,18 @@ def _slsqp(scaled: Scaled, z: NDArray[np.float64], iterations: int, tolerance: f
                 bounds=list(zip(low, high, strict=True)), constraints=[limits] if len(scaled.rows) else [],
                 options={"maxiter": iterations, "ftol": tolerance},
             )  # fmt: skip
-        except _BeyondError:
-            reach *= 0.5
+        except BeyondError as error:
+            if len(joining(scaled.asked, error.p, scaled.rows)):
+                raise
+            reach, beyond = 0.5 * reach, error
             continue
         end = np.clip(found.x, low, high)
-        if not (((end == low) & (low > 0.0)) | ((end == high) & (high < 1.0))).any():
+        short = ((end <= low + SHORTEST * reach) & (low > 0.0)) | ((end >= high - SHORTEST * reach) & (high < 1.0))
+        if not short.any():
             return end, str(found.message)
         known = end
-    raise AnalysisError(
-        "Some limits are infinite or not known near the start of the search, as of a member beyond its buckling load. Start "
-        "with stronger members, or raise the least values of variables."
-    )
+    assert beyond is not None  # noqa: S101 - the reach was shortened
+    raise beyond
 
 
 def _trust(scaled: Scaled, z: NDArray[np.float64], iterations: int, tolerance: float) -> tuple[NDArray[np.float64], str]:

@@ -13,8 +13,8 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from kinetruss.design.optimum.certificate import Certificate, certificate, worst_of_families
-from kinetruss.design.optimum.evaluations import FEASIBLE, UNKNOWN, Evaluations
-from kinetruss.design.optimum.solvers import Method, search
+from kinetruss.design.optimum.evaluations import UNKNOWN, BeyondError, Evaluations
+from kinetruss.design.optimum.solvers import Method, joining, search
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray
@@ -47,12 +47,16 @@ def optimum(asked: Evaluations, start: NDArray[np.float64], method: Method, iter
     rows = np.arange(count) if count <= ALL else worst_of_families(asked.values(problem.real(z))[1], problem.family, NEAR)
     for _ in range(ROUNDS):
         began = z
-        z, said = search(asked, rows, z, method, iterations, tolerance)
-        excess = asked.values(problem.real(z))[1]
-        more = np.setdiff1d(worst_of_families(excess, problem.family, -FEASIBLE), rows)
-        if len(more):
+        try:
+            z, said = search(asked, rows, z, method, iterations, tolerance)
+        except BeyondError as beyond:
+            if not len(more := joining(asked, beyond.p, rows)):
+                raise
             rows = np.union1d(rows, more)
-            if (excess >= UNKNOWN).any():  # where a limit has no gradient, no search can begin
+            continue
+        if len(more := joining(asked, problem.real(z), rows)):
+            rows = np.union1d(rows, more)
+            if (asked.values(problem.real(z))[1] >= UNKNOWN).any():  # where limits are infinite no search can begin
                 z = began
             continue
         if method == "slsqp" or certificate(asked, problem.real(z)).first_order:
