@@ -229,6 +229,25 @@ def test_a_model_has_its_task_beside_it(folder):
     assert "2 tasks beside it: truss.optimum.yaml, truss.stiff.optimum.yaml" in said().stderr
 
 
+def test_whole_numbers_of_a_file_stay_whole(folder):
+    """Arguments of an analysis: three modes are not 3.0 of them."""
+    (folder / "task.yaml").write_text(TASK.replace("{weight: false}", "{weight: false, modes: 3, damping: 0.5, size: 1e3}"))
+    given = kt.io.read_optimum(folder / "task.yaml").arguments
+    assert given == {"weight": False, "modes": 3, "damping": 0.5, "size": 1000.0}
+    assert {name: type(one) for name, one in given.items()} == {"weight": bool, "modes": int, "damping": float, "size": float}
+
+
+def test_a_value_that_is_infinite_exceeds_its_limit():
+    """A column beyond Euler's load that its weight bends: it is said, and no variable is called idle because of it."""
+    column = kt.Model(
+        nodes={"A": (0, 0), "B": (2, 0)}, fixed={"A": "xy", "B": "y"}, bars={"b": ("A", "B")}, section=kt.Rod(diameter=0.01),
+        material="steel_s235", loads={"push": kt.NodalForce(node="B", force=(-9e3, 0))}, gravity=(0, -9.81),
+    )  # fmt: skip
+    with pytest.raises(kt.errors.AnalysisError, match="has an infinite utilisation"):
+        kt.design.optimise(column, {"d": {"of": "section.diameter", "between": ("5 mm", "80 mm")}}, "mass",
+                           {"all": {"of": "utilisation", "at_most": 1}})  # fmt: skip
+
+
 def test_only_the_same_task_goes_on_in_a_folder(folder):
     """Another task's folder, and one that holds anything else, are refused and stay as they are."""
     task, out = kt.io.read_optimum(folder / "task.yaml"), folder / "out"
