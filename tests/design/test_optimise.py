@@ -293,3 +293,46 @@ def test_limits_over_the_instants_of_a_motion_are_kept_at_all_of_them():
     assert np.interp(at, motion.time.values, np.abs(force)) == pytest.approx(100, rel=1e-5)
     assert found.objective - wider.objective == pytest.approx(0.1 * active.price, rel=1e-3)
     assert found.certificate.first_order
+
+
+def closed(coupler, rocker=0.25, crank=0.1, ground=0.28):
+    """A four-bar whose crank makes a whole turn, if the coupler reaches: crank + ground <= coupler + rocker."""
+    d = ground - crank
+    x = (d * d + coupler**2 - rocker**2) / (2 * d)
+    turn = kt.ConstantRate(rates={"motor": 6.4}, duration=1.0)
+    return kt.Model(
+        nodes={"A": (0, 0), "B": (crank, 0), "C": (crank + x, math.sqrt(coupler**2 - x * x)), "D": (ground, 0)},
+        bars={"crank": ("A", "B"), "coupler": ("B", "C"), "rocker": ("C", "D")}, drives={"motor": kt.AngleDrive("crank")},
+        fixed=["A", "D"], runs={"turn": kt.Run(analysis="kinematics.follow", trajectory=turn, samples=61)},
+    )  # fmt: skip
+
+
+TURNS = {"analysis": "runs.run", "arguments": {"run": "turn"}}
+
+
+@pytest.mark.parametrize("method", ["slsqp", "highs", "trust-constr"])
+def test_a_search_turns_back_where_the_analysis_fails(method):
+    """The shortest coupler, 0.13 m, with which the crank still turns, but for dead centres between samples."""
+    model = kt.library.parametric(closed, coupler=0.3)
+    wanted = {"coupler": {"of": "parameters.coupler", "between": (0.08, 0.42)}}
+    limits = {"swing": {"of": "position[C, y]", "at_most": 0.3}}
+    found = kt.design.optimise(model, wanted, "coupler", limits, **TURNS, method=method)
+    assert 0.1298 <= found.values["coupler"] < 0.1305
+    assert not found.certificate.first_order
+    assert "the analysis fails" in " ".join(found.notes)
+
+
+def test_a_search_that_only_passes_where_the_analysis_fails_is_certified():
+    """The coupler with which the rocker rises to 0.22 m lies inside."""
+    model = kt.library.parametric(closed, coupler=0.4)
+    wanted = {"coupler": {"of": "parameters.coupler", "between": (0.08, 0.42)}}
+    least = "(max(position[C, y])/m - 0.22)**2"
+    found = kt.design.optimise(model, wanted, least, {}, **TURNS, tolerance=1e-9)
+    assert found.objective == pytest.approx(0, abs=1e-8)
+    assert 0.13 < found.values["coupler"] < 0.42
+
+
+def test_bounds_at_which_a_function_gives_no_model_are_refused():
+    model = kt.library.parametric(closed, coupler=0.3)
+    with pytest.raises(kt.ModelError, match=r"the function gives no model at coupler 0.5: "):
+        kt.design.optimise(model, {"coupler": {"of": "parameters.coupler", "between": (0.1, 0.5)}}, "coupler", {}, **TURNS)

@@ -14,7 +14,7 @@ from kinetruss.design.optimum.evaluations import BeyondError
 from kinetruss.design.optimum.problem import Problem, Variable
 from kinetruss.design.own_limits import NAMES, beside, names_of, slopes
 from kinetruss.design.vibration_point import VibrationPoint
-from kinetruss.errors import Fault, InputError, ModelError
+from kinetruss.errors import AnalysisError, Fault, InputError, ModelError
 from kinetruss.gradients import Entries, read_entries
 from kinetruss.gradients.analyses import POINTS, point_of
 from kinetruss.gradients.points import gradients_at
@@ -166,7 +166,10 @@ class ModelFunction:
         for k, one in enumerate(self.problem.variables):
             moved = p.copy()
             moved[k] += 0.01 * (one.upper - one.lower) * (1 if p[k] < 0.5 * (one.lower + one.upper) else -1)
-            there = self._entries(moved)
+            try:
+                there = self._entries(moved)
+            except (AnalysisError, ModelError):  # it does something
+                continue
             after = np.append(self.limits.excess(there), self._objective(there, moved))
             if np.all(np.abs(after - before) <= STILL * np.maximum(np.abs(before), 1e-3 * np.abs(before).max())):
                 left.append(one.name)

@@ -14,7 +14,7 @@ import numpy as np
 from kinetruss.design.model_function import ModelFunction
 from kinetruss.design.optimum.certificate import certificate
 from kinetruss.design.optimum.contradictions import contradiction
-from kinetruss.design.optimum.evaluations import FEASIBLE, Evaluations
+from kinetruss.design.optimum.evaluations import FEASIBLE, BeyondError, Evaluations
 from kinetruss.design.optimum.working_limits import ALL, NEAR, Found, optimum
 from kinetruss.design.optimum_folder import opened
 from kinetruss.design.optimum_result import Optimum, contradiction_words, made, question
@@ -140,6 +140,7 @@ def _searched(function: ModelFunction, asked: Evaluations, progress: Any, began:
     task, problem = function.task, function.problem
     listed = any(one.choose is not None for one in task.variables.values())
     best: Found | None = None
+    lost: BeyondError | None = None
     state, notes, arrived = "", [], 0
     excess = asked.values(problem.start)[1]
     if (worst := float(excess.max(initial=0.0))) > FEASIBLE:
@@ -147,11 +148,15 @@ def _searched(function: ModelFunction, asked: Evaluations, progress: Any, began:
         notes.append(f"The start exceeds {problem.limits[k].subject} by {100 * worst:.3g} % of it, and more perhaps.")
     try:
         for start in _starts(problem, task.starts, task.seed):
-            found = optimum(asked, start, task.method, task.iterations, task.tolerance)
+            try:
+                found = optimum(asked, start, task.method, task.iterations, task.tolerance)
+            except BeyondError as error:
+                lost = error
+                continue
             if found.certificate.feasible and (best is None or _value(asked, found) < _value(asked, best)):
                 best = found
             arrived += found.certificate.first_order
-        if best is None:
+        if best is None and lost is None:
             _refuse(function, asked)
     except KeyboardInterrupt:
         if asked.best is None:
@@ -159,9 +164,13 @@ def _searched(function: ModelFunction, asked: Evaluations, progress: Any, began:
         state = "interrupted"
     if best is not None and (state == "" or asked.best is None):
         p = best.p
-    else:
-        assert asked.best is not None  # noqa: S101 - an interrupted search without anything has ended above
+    elif asked.best is not None:
         p = asked.best[0]
+        if lost is not None:
+            notes.append(str(lost))
+    else:
+        assert lost is not None  # noqa: S101 - an interrupted search without anything has ended above
+        raise lost
     if task.starts > 1:
         notes.append(f"{arrived} of {task.starts} searches ended where the conditions of first order hold.")
     relaxed = asked.values(p)[0]

@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from kinetruss.design.optimum.evaluations import FEASIBLE, Evaluations
+from kinetruss.design.optimum.evaluations import FEASIBLE, Evaluations, OutsideError
 from kinetruss.design.optimum.truss_sections import KEPT, Proof, SectionTask, lightest
 from kinetruss.errors import AnalysisError
 from kinetruss.mechanics import compile, constraint_jacobian
@@ -43,7 +43,10 @@ def chosen(
     def judged(choice: Choice) -> tuple[float, float]:
         if task is not None:
             return task.cost(np.array(choice)), task.used(np.array(choice)) - 1
-        value, excess = asked.values(np.array([one[k] for one, k in zip(lists, choice, strict=True)]))
+        try:
+            value, excess = asked.values(np.array([one[k] for one, k in zip(lists, choice, strict=True)]))
+        except OutsideError:
+            return np.inf, np.inf
         return value, float(excess.max(initial=0.0))
 
     start = tuple(

@@ -116,10 +116,16 @@ def parametric(build: Callable[..., Model], /, **parameters: Any) -> Model:
 
 def _built(build: Callable[..., Model], parameters: Mapping[str, Any]) -> Model:
     """The model of other parameters."""
-    given = {
-        key: parse(one, "measure") if isinstance(one, str) and NUMBER.match(one) else one for key, one in parameters.items()
-    }
-    return parametric(build, **given)
+    given = {key: _in_si(one) for key, one in parameters.items()}
+    try:
+        return parametric(build, **given)
+    except (ValueError, ArithmeticError) as error:
+        at = ", ".join(f"{key} {shown(one)}" for key, one in given.items())
+        raise ModelError([Fault(("parameters",), f"the function gives no model at {at}: {error}.", "Change them.")]) from error
+
+
+def _in_si(value: Any) -> Any:
+    return parse(value, "measure") if isinstance(value, str) and NUMBER.match(value) else value
 
 
 def named(table: Mapping[str, T], chosen: T | str | None, parameter: str) -> T | None:

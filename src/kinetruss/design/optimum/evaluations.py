@@ -19,7 +19,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from kinetruss.design.optimum.problem import Problem
-from kinetruss.errors import AnalysisError
+from kinetruss.errors import AnalysisError, ModelError
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray
@@ -39,6 +39,16 @@ class BeyondError(AnalysisError):
             "Start with stronger members, or raise the least values of variables."
         )
         self.p = p
+
+
+class OutsideError(BeyondError):
+    """A place p (n,) where an analysis fails, as it does out of reach, or there is no such model, unlike at the start."""
+
+    def __init__(self, p: NDArray[np.float64], why: str) -> None:
+        super().__init__(p)
+        self.args = (
+            f"Near where the search stands the analysis fails. Start it elsewhere, or narrow the bounds. {why}".strip(),
+        )
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -68,19 +78,42 @@ class Evaluations:
         self.nearest: tuple[NDArray[np.float64], float] | None = None
         self._known: dict[str, tuple[NDArray[np.float64], NDArray[np.float64]]] = {}
         self._seen: set[bytes] = set()
+        self._why: dict[bytes, str] = {}
+        """What an analysis said where it failed."""
         self._stored = _stored(file) if file is not None else {}
 
     def values(self, p: NDArray[np.float64], rows: NDArray[np.int64] | None = None) -> tuple[float, NDArray[np.float64]]:
-        """Objective, and excess of some limits, or of all."""
-        objective, excess = self._asked("v", p, rows, self.problem.function.values)
+        """Objective, and excess of some limits, or of all.
+
+        Raises
+        ------
+        OutsideError : the analysis fails there. AnalysisError : it does at the first point of all.
+        """
+        objective, excess = self._asked("v", p, rows, self._values)
+        if np.isnan(objective):
+            raise OutsideError(p, self._why.get(p.tobytes(), ""))
         self._noted(p, float(objective), excess, whole=rows is None or len(rows) == len(self.problem.limits))
         return float(objective), excess
 
     def gradients(self, p: NDArray[np.float64], rows: NDArray[np.int64]) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
         """Derivatives by z, in which the solver sees the variables: of the objective (n,), of the excess (rows, n)."""
-        objective, excess = self._asked("g", p, rows, self.problem.function.gradients)
+        try:
+            objective, excess = self._asked("g", p, rows, self.problem.function.gradients)
+        except (AnalysisError, ModelError):
+            self.values(p, rows)  # raises where these fail too
+            raise
         slope = self.problem.slope(p)
         return objective * slope, excess * slope
+
+    def _values(self, p: NDArray[np.float64], rows: NDArray[np.int64] | None) -> tuple[float, NDArray[np.float64]]:
+        """As of the function; NaN where it fails."""
+        try:
+            return self.problem.function.values(p, rows)
+        except (AnalysisError, ModelError) as error:
+            if not self.history:
+                raise
+            self._why[p.tobytes()] = str(error)
+            return np.nan, np.full(len(self.problem.limits) if rows is None else len(rows), np.nan)
 
     def _asked(self, kind: str, p: Any, rows: Any, compute: Any) -> Any:
         which = b"all" if rows is None else np.asarray(rows, np.int64).tobytes()

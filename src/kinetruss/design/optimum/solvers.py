@@ -13,7 +13,7 @@ import numpy as np
 from scipy.optimize import Bounds, NonlinearConstraint, linprog, minimize
 
 from kinetruss.design.optimum.certificate import worst_of_families
-from kinetruss.design.optimum.evaluations import FEASIBLE, BeyondError, Evaluations
+from kinetruss.design.optimum.evaluations import FEASIBLE, BeyondError, Evaluations, OutsideError
 from kinetruss.errors import AnalysisError, InputError
 
 if TYPE_CHECKING:
@@ -67,7 +67,9 @@ def search(
 
 
 def _slsqp(scaled: Scaled, z: NDArray[np.float64], iterations: int, tolerance: float) -> tuple[NDArray[np.float64], str]:
-    """From where a step led to a place without gradient it goes back, and on with shorter reach, if no limits are to join."""
+    """From where a step led to a place without gradient, or where the analysis fails, it goes back, and on with shorter reach,
+    if no limits are to join.
+    """
     reach, known, problem = 1.0, z, scaled.asked.problem
     beyond: BeyondError | None = None
 
@@ -96,7 +98,7 @@ def _slsqp(scaled: Scaled, z: NDArray[np.float64], iterations: int, tolerance: f
                 options={"maxiter": iterations, "ftol": tolerance},
             )  # fmt: skip
         except BeyondError as error:
-            if len(joining(scaled.asked, error.p, scaled.rows)):
+            if not isinstance(error, OutsideError) and len(joining(scaled.asked, error.p, scaled.rows)):
                 raise
             reach, beyond = 0.5 * reach, error
             continue
@@ -168,8 +170,11 @@ def _linear_programs(
         penalty = max(penalty, 2 * price)
         merit = value / scaled.size + penalty * max(float(excess.max(initial=0.0)), 0.0)
         expected = merit - (value + slope_f @ step) / scaled.size - penalty * slack
-        new_value, new_excess = scaled.at(z + step)
-        gained = merit - new_value / scaled.size - penalty * max(float(new_excess.max(initial=0.0)), 0.0)
+        try:
+            new_value, new_excess = scaled.at(z + step)
+            gained = merit - new_value / scaled.size - penalty * max(float(new_excess.max(initial=0.0)), 0.0)
+        except OutsideError:
+            gained = -np.inf
         if expected <= tolerance:
             return z, "no linear step is better"
         if gained > 0.1 * expected:

@@ -13,7 +13,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from kinetruss.design.optimum.certificate import Certificate, certificate, worst_of_families
-from kinetruss.design.optimum.evaluations import UNKNOWN, BeyondError, Evaluations
+from kinetruss.design.optimum.evaluations import UNKNOWN, BeyondError, Evaluations, OutsideError
 from kinetruss.design.optimum.solvers import Method, joining, search
 
 if TYPE_CHECKING:
@@ -50,8 +50,11 @@ def optimum(asked: Evaluations, start: NDArray[np.float64], method: Method, iter
         try:
             z, said = search(asked, rows, z, method, iterations, tolerance)
         except BeyondError as beyond:
-            if not len(more := joining(asked, beyond.p, rows)):
-                raise
+            if isinstance(beyond, OutsideError) or not len(more := joining(asked, beyond.p, rows)):
+                if method == "slsqp":
+                    raise
+                method = "slsqp"
+                continue
             rows = np.union1d(rows, more)
             continue
         if len(more := joining(asked, problem.real(z), rows)):
