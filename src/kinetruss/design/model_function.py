@@ -307,7 +307,8 @@ Part = tuple[int, float, list[str]]
 def _variables(model: Model, task: OptimumTask) -> tuple[list[Part], list[Variable]]:
     """Parts and bounds of the variables; all faults at once."""
     parts: list[Part] = []
-    found, faults = [], []
+    found: list[Variable] = []
+    faults: list[Fault] = []
     owner: dict[tuple[str | int, ...], str] = {}
     for name, one in task.variables.items():
         try:
