@@ -12,11 +12,11 @@ SCHEMA = "# yaml-language-server: $schema="
 
 
 def example_files() -> dict[str, tuple[Path, ...]]:
-    """Name of every example -> its files: the model file first, then its tables and missions.
+    """Name of every example -> its files: the model file first, then its tables, missions, and tasks.
 
     >>> import kinetruss as kt
     >>> [file.name for file in kt.library.example_files()["double_octahedral_slew"]]
-    ['double_octahedral_slew.yaml', 'double_octahedral_slew.mission.yaml']
+    ['double_octahedral_slew.yaml', 'double_octahedral_slew.mission.yaml', 'double_octahedral_slew.optimum.yaml']
     """
     found = {}
     for model in sorted(FOLDER.glob("*.yaml")):
