@@ -74,7 +74,7 @@ def lifting():
         material=kt.Material(E=71e9, density=DENSITY, yield_strength=240e6, poisson=0.33),
     )  # fmt: skip
     runs = {
-        name: kt.Run(trajectory=kt.Quintic(moves={"actuator": (2.5, 2.9)}, duration=duration), samples=41)
+        name: kt.Run(trajectory=kt.Quintic(moves={"actuator": (2.5, 2.9)}, duration=duration), samples=21)
         for name, duration in (("slow", 16.0), ("fast", 8.0))
     }
     return truss.with_(
@@ -92,13 +92,13 @@ def mission(**more):
 
 def used(model, run, case):
     """Largest utilisation of members, from an analysis of its own."""
-    motion = kt.kinematics.follow(model, model.runs[run].trajectory, samples=41)
+    motion = kt.kinematics.follow(model, model.runs[run].trajectory, samples=21)
     verdict = kt.strength.check(model, kt.dynamics.inverse(model, motion, case, static=False))
     return float(np.nanmax(verdict.utilisation))
 
 
 TUBE = {"tube": {"of": "bars.follower.section.outer", "multiples": {"bars.follower.section.inner": 0.9},
-                 "between": ("10 mm", "80 mm"), "scale": "log"}}  # fmt: skip
+                 "between": ("16 mm", "40 mm"), "scale": "log"}}  # fmt: skip
 OWN = {"bars.follower.section": {"kind": "tube", "outer": "25 mm", "inner": "22.5 mm"}}
 
 

@@ -16,7 +16,7 @@ from kinetruss.io import read_mission
 from kinetruss.library import example_files
 from kinetruss.verification import missions as task
 
-MODEL, MISSION = (str(path) for path in example_files()["double_octahedral_slew"])
+MODEL, MISSION = (str(path) for path in example_files()["double_octahedral_slew"][:2])
 
 
 @pytest.fixture(scope="module")

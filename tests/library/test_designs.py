@@ -18,7 +18,7 @@ def reached(model, run):
     """Of a fresh run: the largest voltage, speed and torque of the motors (V, rad/s, N m), and the utilisation of members."""
     found = kt.run(model, run)
     (demand,) = found.demand.values()
-    largest = [float(np.abs(demand[name]).max()) for name in ("voltage", "motor_speed", "motor_torque")]
+    largest = [float(np.abs(getattr(demand, name)).max()) for name in ("voltage", "motor_speed", "motor_torque")]
     (forces,) = found.forces.values()
     return *largest, float(np.nanmax(kt.strength.check(model, forces).utilisation.values))
 
@@ -32,7 +32,7 @@ def widened(task, name, share=0.01):
 
 def test_every_task_beside_an_example_names_it():
     tasks = {name: task_of(name) for name, files in example_files().items() if any(".optimum." in one.name for one in files)}
-    assert set(tasks) == {"chain_two_axis", "double_octahedral_slew", "slewing_experiments", "triangular_truss"}
+    assert set(tasks) == {"double_octahedral_slew", "slewing_experiments", "triangular_truss"}
     for name, task in tasks.items():
         assert task.model == str(example_files()[name][0])
         assert task.title

@@ -62,7 +62,7 @@ def test_a_mission_from_disk(tmp_path):
 @pytest.fixture(scope="module")
 def sizing(tmp_path_factory):
     """The file that the sizing of the shipped example writes."""
-    model, mission = (str(path) for path in example_files()["double_octahedral_slew"])
+    model, mission = (str(path) for path in example_files()["double_octahedral_slew"][:2])
     file = tmp_path_factory.mktemp("sizing") / "sizing.json"
     file.write_text(call("size", model, mission, "--json"), "utf-8")
     return file

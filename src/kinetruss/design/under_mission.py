@@ -42,11 +42,10 @@ def under(model: Model, task: OptimumTask, mission: Mission | str | Path) -> tup
     if task.analysis != OptimumTask.model_fields["analysis"].default or task.arguments:
         where = "arguments" if task.arguments else "analysis"
         faults.append(Fault((where,), "is given by the runs of the mission.", "Leave it out, or name it in single limits."))
-    given_by: dict[tuple[str, ...], object] = {(): task.load_cases}
-    given_by |= {("limits", name): one.load_cases for name, one in task.limits.items() if one.analysis is None}
-    for place, cases in given_by.items():
-        if cases is not None:
-            faults.append(Fault((*place, "load_cases"), "are those of the mission.", "Name them there."))
+    places: list[tuple[str, ...]]
+    places = [("limits", name, "load_cases") for name, one in task.limits.items() if one.analysis is None and one.load_cases]
+    places += [("load_cases",)] if task.load_cases else []
+    faults += [Fault(place, "are those of the mission.", "Name them there.") for place in places]
     if faults:
         raise ModelError(faults)
     runs = runs_of(model, mission)

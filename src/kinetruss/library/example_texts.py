@@ -15,7 +15,7 @@ def example_files() -> dict[str, tuple[Path, ...]]:
 
     >>> import kinetruss as kt
     >>> [file.name for file in kt.library.example_files()["double_octahedral_slew"]]
-    ['double_octahedral_slew.yaml', 'double_octahedral_slew.mission.yaml']
+    ['double_octahedral_slew.yaml', 'double_octahedral_slew.mission.yaml', 'double_octahedral_slew.optimum.yaml']
     """
     found = {}
     for model in sorted(FOLDER.glob("*.yaml")):
