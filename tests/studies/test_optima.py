@@ -1,5 +1,6 @@
 """Studies of which each variant is an optimum."""
 
+import re
 import sqlite3
 from contextlib import closing
 
@@ -64,6 +65,23 @@ def test_the_least_mass_over_a_limit_and_a_load(folder):
     text = kt.report.study(found).text
     assert text.startswith("6 variants of an optimum: 4 have numbers. 2 infeasible.")
     assert "decided by" in text
+
+
+def test_what_is_not_certified_does_not_count(folder):
+    """A search that may not go on: its numbers are kept, and are in no distribution. A step of Newton's method towards the root
+    of a convex function, from above, ends above it: the limit is kept, and not reached.
+    """
+    limits = TASK[TASK.index("limits:") :]
+    other = 'limits: {square: {of: "(100e6/axial_stress)**2", at_least: 1}}\niterations: 1\n'
+    (folder / "rod.optimum.yaml").write_text(TASK.replace(limits, other))
+    (folder / "rod.study.yaml").write_text(re.sub(r"  stress: .*\n", "", STUDY))
+    found = kt.studies.run_study(folder / "rod.study.yaml", workers=0)
+    assert "UNCERTIFIED" in found.status
+    k = found.status.tolist().index("UNCERTIFIED")
+    assert found.data["certified"].values[k] == 0
+    assert found.data["objective"].values[k] > 0
+    assert not found.good[k]
+    assert "No optimum is certified" in str(found.data["message"].values[k])
 
 
 def test_only_what_is_missing_is_computed_again(folder):

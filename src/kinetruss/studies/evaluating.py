@@ -19,10 +19,10 @@ from kinetruss.studies.kept_numbers import Kept
 from kinetruss.studies.optima import Numbers, Tasks, optimum_of
 from kinetruss.studies.side_by_side import Copies
 
-REFUSED, FAILED, DIED, INFEASIBLE = "REFUSED", "FAILED", "DIED", "INFEASIBLE"
-"""Status of a variant without a run: the model does not allow its values; it raised an error; its process died; of an optimum,
-which is a result: no design keeps all limits.
-"""
+REFUSED, FAILED, DIED = "REFUSED", "FAILED", "DIED"
+"""Status of a variant without a run: the model does not allow its values; it raised an error; its process died."""
+INFEASIBLE, UNCERTIFIED = "INFEASIBLE", "UNCERTIFIED"
+"""Status of an optimum: no design keeps all limits, which is a result; its numbers are kept, but are no optimum."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -153,7 +153,8 @@ def outcome_of(model: Any, task: Task, kept: Kept | Numbers, row: int, started: 
     try:
         if isinstance(kept, Numbers):
             best, message = optimum_of(model)
-            return Outcome(row, "COMPLETED", plain(message), time.thread_time() - started, kept(best), kept.units)
+            status = "COMPLETED" if best.certified else UNCERTIFIED
+            return Outcome(row, status, plain(message), time.thread_time() - started, kept(best), kept.units)
         found = brief(model, task.run, task.level, kept.judged)
         early = found.partial
         status, message = found.status.name, " ".join(filter(None, (early and f"{early}.", found.message)))

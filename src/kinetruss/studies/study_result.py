@@ -19,6 +19,10 @@ if TYPE_CHECKING:
     from numpy.typing import NDArray
 
 
+GOOD = ("COMPLETED", "EVENT")
+"""Status of a variant whose numbers count."""
+
+
 @dataclass(frozen=True, kw_only=True, eq=False, repr=False)
 class StudyResult:
     """All rows of a study.
@@ -27,7 +31,7 @@ class StudyResult:
         they are; the results in SI, NaN without a number; ``status``, ``message``, ``seconds`` of processor time.
         ``data.to_dataframe()`` is a table of pandas.
     variables, results : their names. nominal : results of the model as it is, if it was done. title, run : of the study; run is
-    empty if each variant is an optimum, of which status ``INFEASIBLE`` is a result too.
+    empty if each variant is an optimum, of which status ``INFEASIBLE`` is a result too, and ``UNCERTIFIED`` none.
     base_points : of Saltelli's design, else 0. path : the folder, or None.
     """
 
@@ -59,7 +63,7 @@ class StudyResult:
     @property
     def good(self) -> NDArray[np.bool_]:
         """The rows that have numbers."""
-        return np.isin(self.status, ("COMPLETED", "EVENT"))
+        return np.isin(self.status, GOOD)
 
     @property
     def done(self) -> int:
@@ -120,7 +124,7 @@ def result_of(ledger: Ledger) -> StudyResult:
         data=found,
         variables=tuple(variables),
         results=tuple(results),
-        nominal=(nominal.get("numbers") or {}) if isinstance(nominal, dict) else {},
+        nominal=(nominal.get("numbers") or {}) if isinstance(nominal, dict) and nominal.get("status") in GOOD else {},
         run=ledger.about("run"),
         title=ledger.about("title") or "",
         base_points=ledger.about("base points") or 0,
