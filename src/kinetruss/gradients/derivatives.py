@@ -95,7 +95,7 @@ def value_and_gradient(of: Response | Sequence[Response], wrt: Wrt) -> tuple[Any
 
     Notes
     -----
-    Exact to about ten digits: the adjoint of the equations of the analysis, with differences of third order of what elements
+    To about ten digits: the adjoint of the equations of the analysis, with differences of third order of what the elements
     compute at fixed unknowns, in as few evaluations as the colours of the numbers (Curtis, Powell & Reid, 1974).
 
     >>> import kinetruss as kt

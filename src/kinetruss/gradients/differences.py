@@ -99,21 +99,28 @@ def _change(
     """
     own = np.zeros_like(step)
     own[group] = step[group]
-    for finer in FINER:
-        found: list[Any] = []
-        for share, _ in points:
-            found.append(given.of(share * finer * own))
-            if few_act and len(found) == 1 and finer == 1.0 and np.array_equal(found[0], here, equal_nan=True):
-                return np.zeros_like(here)
-        from_here = 0.0 if points is TWO else here
-        change = sum(weight * (one - from_here) for (_, weight), one in zip(points, found, strict=True)) / finer
-        if points is TWO or not _rough(given.weight, found, here):
-            return change
+    # where differences to one side stay unlike, those to both sides alike have the mean of two slopes
+    for some in (points, FOUR) if points is THREE else (points,):
+        for finer in FINER:
+            found: list[Any] = []
+            for share, _ in some:
+                found.append(given.of(share * finer * own))
+                if few_act and len(found) == 1 and finer == 1.0 and np.array_equal(found[0], here, equal_nan=True):
+                    return np.zeros_like(here)
+            from_here = here if some is THREE else 0.0
+            change = sum(weight * (one - from_here) for (_, weight), one in zip(some, found, strict=True)) / finer
+            if len(some) < len(THREE) or not _rough(given.weight, found, here):
+                return change
     raise AnalysisError("A number acts with a kink or a jump, even in small steps, so there is no derivative by it.")
 
 
 def _rough(weight: Floats, found: Sequence[Any], here: Floats) -> bool:
-    """Whether two differences of second order, one to both sides, are not alike, in the sums (k,), beyond round-off."""
+    """Whether two differences of second order are not alike, in the sums (k,), beyond round-off: over one step and over two,
+    or, of three points, to both sides and to one.
+    """
     up, down, farther = (one - here for one in found[:3])
-    off, size = np.abs(weight @ ((up - down) / 2 - (4 * up - farther) / 2)), np.abs(weight)
-    return bool((off > ROUGH * (size @ np.abs(up)) + NOISE * (size @ np.abs(found[0]))).any())
+    first, size = (up - down) / 2, np.abs(weight)
+    other = (farther - (found[3] - here)) / 4 if len(found) == len(FOUR) else (4 * up - farther) / 2
+    changes = np.abs(first) if len(found) == len(FOUR) else np.abs(up)
+    off = np.abs(weight @ (first - other))
+    return bool((off > ROUGH * (size @ changes) + NOISE * (size @ np.abs(found[0]))).any())
