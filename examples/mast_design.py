@@ -6,6 +6,7 @@ file, task, *_ = kt.library.example_files()["mast_design"]
 found = kt.design.optimise(None, task)
 print(found)
 assert found.certificate.first_order
+assert f"{found.objective:.1f}" == "98.7"  # kg
 
 # the check of all rules, beam-columns too, at more instants than the task asks
 deploy = found.model.runs["deploy"].with_(samples=61)
