@@ -23,11 +23,12 @@ def reached(model, run):
     return *largest, float(np.nanmax(kt.strength.check(model, forces).utilisation.values))
 
 
-def widened(task, name, share=0.01):
-    """The task with one limit moved by a share of it."""
+def widened(task, found, name, share=0.01):
+    """The task with one limit moved by a share of it, searched from what was found."""
     one = task.limits[name]
     wider = {side: float(at) * (1 + share) for side in ("at_most", "at_least") if (at := getattr(one, side)) is not None}
-    return task.with_(limits={**task.limits, name: one.with_(**wider)})
+    variables = {one: own.with_(start=found.values[one]) for one, own in task.variables.items()}
+    return task.with_(variables=variables, limits={**task.limits, name: one.with_(**wider)})
 
 
 def test_every_task_beside_an_example_names_it():
@@ -46,7 +47,7 @@ def test_the_triangular_truss_is_as_fast_as_its_voltage():
     voltage, _, _, used = reached(found.model, "extend")
     assert voltage == pytest.approx(25, rel=1e-6)
     assert used < 1
-    faster = kt.design.optimise(None, widened(task, "voltage"))
+    faster = kt.design.optimise(None, widened(task, found, "voltage"))
     saved = sum(one.price for one in found.active) * 0.01 * 25
     assert found.objective - faster.objective == pytest.approx(saved, rel=0.03)
 
@@ -67,7 +68,7 @@ def test_the_slew_is_held_by_speed_and_torque_of_its_motors():
     assert set(price) == {"lead", "speed", "torque"}
     assert kt.actuators.is_self_locking(found.model.screws["screw"])
     for name in ("speed", "torque"):
-        faster = kt.design.optimise(None, widened(task, name))
+        faster = kt.design.optimise(None, widened(task, found, name))
         assert found.objective - faster.objective == pytest.approx(0.008 * price[name], rel=0.03)
     sized = found.listed.sizing.model
     assert found.listed.excess <= 0
@@ -86,7 +87,7 @@ def test_the_experiments_need_no_more_than_25_volts_and_less_mass():
     assert max(one[0] for one in fresh) <= 25 * (1 + 1e-6)
     assert max(one[3] for one in fresh) == pytest.approx(1, abs=1e-5)
     assert not any(one.name.startswith("voltage") and one.price for one in found.active)
-    wider = kt.design.optimise(None, widened(task, "utilisation"))
+    wider = kt.design.optimise(None, widened(task, found, "utilisation"))
     saved = 0.01 * sum(one.price for one in found.active if one.name.startswith("utilisation"))
     assert found.objective - wider.objective == pytest.approx(saved, rel=0.05)
     sized = found.listed.sizing.model
