@@ -260,10 +260,7 @@ export class Hand {
   /** What the tool wants next at a place; null, and a word about it, if that is not there. */
   wanted(place, touch, quiet = false) {
     const { draw, using } = this, kind = using.takes(this.given, draw);
-    if (kind === "place") {
-      const target = this.target(place, touch);
-      return target && { ...target, node: target.node };
-    }
+    if (kind === "place") return this.target(place, touch);
     if (kind === "tip") {
       const point = draw.camera.unproject(place, this.given[0].point[draw.camera.plane.axis] || 0);
       return point && { point };
