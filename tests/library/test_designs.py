@@ -33,7 +33,7 @@ def widened(task, found, name, share=0.01):
 
 def test_every_task_beside_an_example_names_it():
     tasks = {name: task_of(name) for name, files in example_files().items() if any(".optimum." in one.name for one in files)}
-    assert set(tasks) == {"double_octahedral_slew", "slewing_experiments", "triangular_truss"}
+    assert {"double_octahedral_slew", "slewing_experiments", "triangular_truss"} <= set(tasks)
     for name, task in tasks.items():
         assert task.model == str(example_files()[name][0])
         assert task.title
