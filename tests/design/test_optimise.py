@@ -336,3 +336,18 @@ def test_bounds_at_which_a_function_gives_no_model_are_refused():
     model = kt.library.parametric(closed, coupler=0.3)
     with pytest.raises(kt.ModelError, match=r"the function gives no model at coupler 0.5: "):
         kt.design.optimise(model, {"coupler": {"of": "parameters.coupler", "between": (0.1, 0.5)}}, "coupler", {}, **TURNS)
+
+
+def test_the_buckling_load_of_a_member_that_a_drive_moves_is_refused_along_a_motion():
+    """It is that of the length in the model; the load at which a member yields is the same at all lengths."""
+    file = kt.library.example_files()["triangular_truss"][0]
+    wanted = {"load": {"of": "nodes.B.mass", "between": (1.0, 100.0)}}
+    found = []
+    for kind in ("yield_load", "buckling_load"):
+        limits = {"force": {"of": f"member_force/{kind}", "at_least": -0.5}}
+        try:
+            found.append(kt.design.optimise(file, wanted, "-mass", limits, analysis="runs.run", arguments={"run": "extend"}))
+        except kt.ModelError as error:
+            found.append(str(error))
+    assert found[0].certificate.first_order
+    assert "buckling_load of actuator changes with the length along a motion" in found[1]

@@ -7,15 +7,17 @@ active members, for ``voltage/max_voltage``: their own limits. NaN where the mod
 
 from __future__ import annotations
 
+from functools import partial
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
 from kinetruss.actuators.shafts import parts_of as train_parts
+from kinetruss.errors import InputError, few
 from kinetruss.gradients.differences import FOUR
 from kinetruss.gradients.responses import Beside
 from kinetruss.mechanics import compile, ends_of
-from kinetruss.model import Model
+from kinetruss.model import LengthDrive, Model
 from kinetruss.results import variable
 from kinetruss.strength.critical_loads import critical_load, end_condition
 from kinetruss.strength.parts import parts_of
@@ -67,23 +69,32 @@ def _borne(model: Model, names: Names) -> dict[str, NDArray[np.float64]]:
 
 
 def names_of(data: Any) -> dict[str, list[str]]:
-    """The members and active members of a result, as far as it has any."""
-    return {dim: [str(name) for name in data[dim].values] for dim in ("member", "active") if dim in data.coords}
+    """The members and active members of a result, as far as it has any; its instants, of a motion."""
+    return {dim: [str(name) for name in data[dim].values] for dim in ("member", "active", "time") if dim in data.coords}
 
 
 def beside(model: Model, names: Names) -> Beside:
-    """The same as variables beside those of a result with these members and active members."""
+    """The same as variables beside those of a result with these members, active members and instants."""
 
-    def loads() -> dict[str, Any]:
-        found = member_loads(model, names["member"])
-        return {name: variable(("member",), one, MEMBERS[name], "load that the member bears") for name, one in found.items()}
+    def load(kind: str) -> dict[str, Any]:
+        driven = {one.bar for one in model.all_drives.values() if isinstance(one, LengthDrive)}
+        moving = [name for name in names["member"] if name in driven] if "time" in names else []
+        if moving and kind == "buckling_load":
+            raise InputError(
+                f"buckling_load of {few(moving, 4)} changes with the length along a motion, and is known here at the place of "
+                "the model alone. Limit utilisation[buckling], which follows the length."
+            )
+        own = member_loads(model, names["member"])[kind]
+        return {kind: variable(("member",), own, MEMBERS[kind], "load that the member bears")}
 
     def limits() -> dict[str, Any]:
         found = motor_limits(model, names["active"])
         return {name: variable(("active",), one, MOTORS[name], "limit of the motor") for name, one in found.items()}
 
-    every: dict[str, Callable[[], dict[str, Any]]] = dict.fromkeys(MEMBERS, loads) if "member" in names else {}
-    return Beside(every | (dict.fromkeys(MOTORS, limits) if "active" in names else {}))
+    found: dict[str, Callable[[], dict[str, Any]]] = {}
+    if "member" in names:
+        found |= {kind: partial(load, kind) for kind in MEMBERS}
+    return Beside(found | (dict.fromkeys(MOTORS, limits) if "active" in names else {}))
 
 
 def slopes(

@@ -238,7 +238,7 @@ class Instants:
         if np.isinf(wanted[used]).any():
             raise AnalysisError(
                 f"{few(self.names, 4)} is infinite at an instant, as the utilisation of a strut at its buckling load is, so it "
-                "has no gradient. Keep variables where no member buckles, or limit member_force/buckling_load: it stays finite."
+                "has no gradient. Keep variables where no member buckles, or limit utilisation[buckling], which stays finite."
             )
         off, scale = np.abs(read[used] - wanted[used]).max(initial=0.0), np.abs(wanted[used]).max(initial=0.0)
         rows, free, rest = len(self.rows.row_member), len(self.rows.free), np.abs(equations()).max(axis=0)
