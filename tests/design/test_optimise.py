@@ -47,6 +47,15 @@ def test_a_rod_has_the_area_of_its_stress_and_its_price():
     assert found.model.section_of(found.model.bars["b"]).area == pytest.approx(70e-6, rel=1e-6)
 
 
+def test_the_largest_load_is_asked_for_by_a_minus():
+    """F = s A, and 1 MPa more carries A more."""
+    wanted = {"load": {"of": "loads.pull.force.0", "between": ("1 kN", "1 MN")}}
+    found = kt.design.optimise(rod(), wanted, "-load", {"stress": {"of": "axial_stress", "at_most": "100 MPa"}}, **STILL)
+    assert found.values["load"] == pytest.approx(1e5, rel=1e-6)
+    assert found.objective == -found.values["load"]
+    assert found.active[0].price == pytest.approx(1e-3, rel=1e-6)
+
+
 def test_a_strut_has_the_diameter_of_eulers_load():
     """P = pi^2 E pi d^4/64/l^2 with a safety of 2, pinned ends."""
     strut = rod(kt.Rod(diameter="60 mm"), pull=-7e3)

@@ -61,6 +61,22 @@ def test_accelerations_go_with_the_square_of_the_duration():
     assert by.values == pytest.approx([-2 * value / 2.0, value], rel=1e-9)
 
 
+def test_a_run_under_a_condition():
+    # a payload and another gravity: T = (m + p) l (g cos theta + l theta'')
+    model = crank(
+        conditions={"laden": kt.Condition(payloads={"A": 1.0}, gravity=(0, -4.0))}, gravity=(0, -9.81),
+        loads={"pull": kt.NodalForce(node="A", force=(0.0, -3.0))},
+    ).with_(runs={"turn": kt.Run(trajectory="rise", samples=5, condition="laden")},
+            trajectories={"rise": kt.Quintic(moves={"motor": (0.0, 1.0)}, duration=2.0)})  # fmt: skip
+    wrt = ["conditions.laden.payloads.A", "nodes.A.mass", "conditions.laden.gravity.1", "loads.pull.force.1", "nodes.A.at.0"]
+    value, by = kt.value_and_gradient(kt.Response("first(drive_force[motor])", kt.run, model), wrt)
+    assert value == pytest.approx(3.0 * 0.5 * 4.0 + 3.0 * 0.5, rel=1e-12)
+    assert by.values == pytest.approx([0.5 * 4.0, 0.5 * 4.0, -3.0 * 0.5, -0.5, value / 0.5], rel=1e-9)
+    hot = model.with_(conditions={"laden": kt.Condition(temperature=50.0)})
+    with pytest.raises(AnalysisError, match="which changes the motion"):
+        kt.gradient(kt.Response("first(drive_force[motor])", kt.run, hot), ["nodes.A.mass"])
+
+
 def test_a_bell_crank_by_its_arms():
     # a cylinder straight below A holds 100 N at B: F = W x_B/x_A
     model = kt.Model(

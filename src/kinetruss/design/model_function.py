@@ -73,8 +73,10 @@ class ModelFunction:
         """Derivatives of the values of `parts` by the variables."""
         for i, (k, factor, _) in enumerate(self.parts):
             self.factors[i, k] = factor
-        self.own = [one.name for one in variables].index(task.least) if task.least in task.variables else None
-        """The variable that is itself made small."""
+        name = _own(task)
+        self.own = None if name is None else [one.name for one in variables].index(name)
+        self.sign = -1.0 if task.least.startswith("-") else 1.0
+        """The variable that is itself made small, or large."""
         self.unit = "" if self.own is None else variables[self.own].unit
         self.asked = _asked(model, task)
         self._last: _Solved | None = None
@@ -112,7 +114,7 @@ class ModelFunction:
         solved = self._at(p)
         by = varied(solved.model, [paths for _, _, paths in self.parts])
         slope = np.zeros((len(rows), len(p)))
-        of_objective = np.array([float(k == self.own) for k in range(len(p))])
+        of_objective = np.array([self.sign * (k == self.own) for k in range(len(p))])
         for j, (asked, point, read) in enumerate(zip(self.asked, solved.points, solved.entries, strict=True)):
             # both sides of a limit have the gradient of one entry
             wanted: dict[tuple[int, int], list[int]] = {}
@@ -210,13 +212,13 @@ class ModelFunction:
             return self._objective(found, np.zeros(0))
         path = next(paths[0] for k, _, paths in self.parts if k == self.own)
         try:
-            return number_at(model, path, resolved(model, path))
+            return self.sign * number_at(model, path, resolved(model, path))
         except InputError:
             return np.nan
 
     def _objective(self, found: list[list[Entries]], p: NDArray[np.float64]) -> float:
         if self.own is not None:
-            return float(p[self.own])
+            return self.sign * float(p[self.own])
         for asked, read in zip(self.asked, found, strict=True):
             for (name, _), one in zip(asked.texts, read, strict=True):
                 if name == OBJECTIVE:
@@ -269,6 +271,12 @@ def _unit_faults(name: str, side: str, limit: float, unit: str, text: str) -> It
         )
 
 
+def _own(task: OptimumTask) -> str | None:
+    """The variable that is itself made small, or large if a minus stands before it."""
+    name = task.least.removeprefix("-").strip()
+    return name if name in task.variables else None
+
+
 def _dimension(unit: str) -> tuple[int, ...]:
     """Exponents of a unit, also of one as ``1/s``."""
     return tuple(-one for one in dimension_of(unit[2:])) if unit.startswith("1/") else dimension_of(unit)
@@ -310,7 +318,7 @@ def _asked(model: Model, task: OptimumTask) -> list[_Asked]:
                 faults.append(Fault(place, f"the model has no load case called {case!r}.", nearest(case, known)))
             else:
                 ask(("limits", name), name, one, case)
-    if task.least not in task.variables:
+    if _own(task) is None:
         ask((), OBJECTIVE, None, (task.load_cases or (None,))[0] if not faults else None)
     if faults:
         raise ModelError(list(dict.fromkeys(faults)))

@@ -20,12 +20,12 @@ from kinetruss.gradients.at_instants import Instants
 from kinetruss.gradients.downstream import DEMAND, Along, Asked
 from kinetruss.gradients.motion_rows import holding
 from kinetruss.gradients.task_rows import task_rows
-from kinetruss.gradients.varied import Varied
+from kinetruss.gradients.varied import Varied, varied
 from kinetruss.kinematics.motions import instants
-from kinetruss.mechanics import System, arrange
+from kinetruss.mechanics import System, arrange, compile
 from kinetruss.mechanics.rigid_motions import floats
 from kinetruss.model.load_cases import acting_cases
-from kinetruss.runs.plans import chosen_run
+from kinetruss.runs.plans import chosen_run, conditioned
 
 if TYPE_CHECKING:
     import xarray as xr
@@ -58,10 +58,35 @@ class Way:
         return trajectory, instants(trajectory.duration, self.samples, self.times, model)
 
 
-class AlongPoint:
-    """Results along a motion, with their gradients."""
+@dataclass(frozen=True)
+class Conditioned:
+    """Makes of a model the one under the condition of one of its runs, which then is a run without."""
 
-    def __init__(self, system: System, way: Way, cases: tuple[str | None, ...], asked: Asked) -> None:
+    run: str
+
+    def __call__(self, model: Model) -> Model:
+        """The model under it.
+
+        Raises
+        ------
+        AnalysisError : it changes lengths, holds drives or takes parts out, so that the motion is another.
+        """
+        found, run, condition = conditioned(model, model.runs[self.run])
+        if condition is not None and condition.moves_otherwise:
+            raise AnalysisError(
+                f"Run {self.run!r} is under the condition {model.runs[self.run].condition!r}, which changes the motion "
+                "(temperature; locked, released or failed parts); along such motions there are no gradients yet."
+            )
+        return found.with_(runs={self.run: run.with_(condition=None)})
+
+
+class AlongPoint:
+    """Results along a motion, with their gradients; through : as of `Varied`."""
+
+    def __init__(
+        self, system: System, way: Way, cases: tuple[str | None, ...], asked: Asked, through: Conditioned | None = None
+    ) -> None:
+        self.through = through
         self.system, self.model, self.way, self.cases, self.asked = system, system.given, way, cases, asked
         self.trajectory, self.times = way.of(self.model)
         self.led = way.run is not None and self.model.runs[way.run].targets is not None
@@ -95,6 +120,8 @@ class AlongPoint:
     def gradients(self, by: Varied, seeds: Sequence[Seeds]) -> Floats:
         """Derivatives (k, numbers) of k responses with seeds ds/dd by the variables that they read."""
         self._refuse(seeds)
+        if self.through is not None:
+            by = varied(by.model, by.paths, self.through)
         found = np.zeros((len(seeds), len(by.names)))
         for c in range(len(self.cases)):
             own = [{name: self._whole(name, one[name], c) for name in one} for one in seeds]
@@ -190,9 +217,13 @@ def ran(system: System, run: str | None = None) -> AlongPoint:
     own = model.runs[name]
     kinds = {"kinematics.follow": Asked(), "dynamics.inverse": Asked(forces=True, judged=True, stations=own.stations)}
     moves = own.targets is not None or model.trajectory_of(own) is not None
-    if own.analysis not in kinds or not moves or own.condition is not None:
+    if own.analysis not in kinds or not moves:
         raise InputError(
             f"Results of run {name!r} have no responses yet: those of runs along a trajectory or for a task do "
-            f"({', '.join(kinds)}), without a condition."
+            f"({', '.join(kinds)})."
         )
-    return AlongPoint(system, Way(run=name), acting_cases(model, own.load_cases), kinds[own.analysis])
+    cases, through = acting_cases(model, own.load_cases), None
+    if own.condition is not None:
+        through = Conditioned(name)
+        system = compile(through(model))
+    return AlongPoint(system, Way(run=name), cases, kinds[own.analysis], through)

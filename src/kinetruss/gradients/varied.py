@@ -9,7 +9,7 @@ compiled instead.
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, replace
 from functools import cached_property, lru_cache
 from itertools import chain
@@ -40,6 +40,7 @@ STEP = 1e-4
 """Step of differences, as a fraction of a number or of its scale."""
 
 Wrt = Sequence[str | Sequence[str]]
+Through = Callable[[Model], Model]
 
 
 @dataclass(frozen=True, eq=False)
@@ -47,7 +48,8 @@ class Varied:
     """names (K,) of the numbers; paths : of each, which all have its value; keys, as `resolved`. value, scale (K,): values, and
     what a change is compared with. system : the model with each of them in a place of its own, at these values. base, places :
     by name the numbers of the system that depend on them, at these values; their flat places, on which (K) they do, and how.
-    trial (K,) : a small change of all of them.
+    trial (K,) : a small change of all of them. through : what makes of the model with these numbers the one that is analysed,
+    as under a condition.
     """
 
     model: Model
@@ -60,6 +62,7 @@ class Varied:
     base: Mapping[str, NDArray[np.float64]]
     places: Mapping[str, tuple[NDArray[np.int64], NDArray[np.int64], NDArray[np.float64]]]
     trial: NDArray[np.float64]
+    through: Through | None = None
 
     @cached_property
     def tried(self) -> System:
@@ -78,9 +81,10 @@ class Varied:
         return compile(self.model_at(change))
 
     def model_at(self, change: NDArray[np.float64]) -> Model:
-        """The model with the numbers changed by (K,)."""
+        """The model, as it is analysed, with the numbers changed by (K,)."""
         at = self.value + change
-        return changed(self.model, [(keys, float(at[k])) for k in np.flatnonzero(change) for keys in self.keys[k]])
+        found = changed(self.model, [(keys, float(at[k])) for k in np.flatnonzero(change) for keys in self.keys[k]])
+        return found if self.through is None else self.through(found)
 
     @cached_property
     def kinds(self) -> list[NDArray[np.bool_]]:
@@ -102,20 +106,20 @@ class Varied:
         return near_nodes(parts_of(self.system), self.keys)
 
 
-def varied(model: Model, wrt: Wrt) -> Varied:
+def varied(model: Model, wrt: Wrt, through: Through | None = None) -> Varied:
     """The numbers of a model named by paths, or by groups of paths that have one value together.
 
     Parameters
     ----------
     wrt : dotted paths as for `io.set_value`, such as ``bars.M7.section.area`` or ``nodes.C.at.0``; a star stands for all that
-        fit, each a number of its own; a tuple or list of paths is one number.
+        fit, each a number of its own; a tuple or list of paths is one number. through : as of `Varied`; it must be hashable.
 
     Raises
     ------
     InputError : an unknown path; what is there is no number; members of a group with different values; a number given twice.
     """
     wrt = [wrt] if isinstance(wrt, str) else wrt
-    return _varied(ByIdentity(model), tuple(one if isinstance(one, str) else tuple(one) for one in wrt))
+    return _varied(ByIdentity(model), tuple(one if isinstance(one, str) else tuple(one) for one in wrt), through)
 
 
 _last: dict[tuple[ByIdentity, Any], Varied] = {}
@@ -123,10 +127,10 @@ _last: dict[tuple[ByIdentity, Any], Varied] = {}
 
 
 @lru_cache(maxsize=4)
-def _varied(key: ByIdentity, wrt: tuple[str | tuple[str, ...], ...]) -> Varied:
+def _varied(key: ByIdentity, wrt: tuple[str | tuple[str, ...], ...], through: Through | None) -> Varied:
     model, (first, other) = key.model, origin(key.model)
     known = ByIdentity(first), wrt
-    alike = known in _last and other <= set(chain.from_iterable(_last[known].keys))
+    alike = through is None and known in _last and other <= set(chain.from_iterable(_last[known].keys))
     if alike and (found := _moved(_last[known], model)) is not None:
         return found
     groups = [group for one in wrt for group in _groups(model, one)]
@@ -141,10 +145,10 @@ def _varied(key: ByIdentity, wrt: tuple[str | tuple[str, ...], ...]) -> Varied:
     names = tuple(group[0] if len(group) == 1 else f"{group[0]} and {len(group) - 1} more" for group in groups)
     scale = _scales(model, keys, value)
     trial = TRIED * scale * np.random.default_rng(1).uniform(0.5, 1.0, len(scale))
-    system, base, places, tried = _placed(model, keys, value, scale, trial)
-    found = Varied(model, names, tuple(map(tuple, groups)), keys, value, scale, system, base, places, trial)
+    system, base, places, tried = _placed(model, keys, value, scale, trial, through)
+    found = Varied(model, names, tuple(map(tuple, groups)), keys, value, scale, system, base, places, trial, through)
     vars(found)["tried"] = tried
-    if other <= set(flat):
+    if through is None and other <= set(flat):
         _last.pop(known, None)
         _last[known] = found
         for oldest in list(_last)[:-4]:
@@ -208,6 +212,7 @@ def _placed(
     value: NDArray[np.float64],
     scale: NDArray[np.float64],
     trial: NDArray[np.float64],
+    through: Through | None,
 ) -> tuple[System, dict[str, NDArray[np.float64]], Places, System]:
     """The system with each number in a place of its own, the numbers that depend on them, their places, and that of a trial.
 
@@ -217,11 +222,13 @@ def _placed(
 
     def at(values: NDArray[np.float64]) -> System:
         pairs = zip(groups, values, strict=True)
-        return compile(changed(model, [(path, float(one)) for group, one in pairs for path in group]))
+        found = changed(model, [(path, float(one)) for group, one in pairs for path in group])
+        return compile(found if through is None else through(found))
 
+    analysed = model if through is None else through(model)
     system, other = at(value + mark), at(value + trial)
-    for zero in np.flatnonzero(value == 0.0).tolist() if _another(system, model) else ():
-        if _another(at(np.where(np.arange(len(value)) == zero, mark, 0.0) + value), model):
+    for zero in np.flatnonzero(value == 0.0).tolist() if _another(system, analysed) else ():
+        if _another(at(np.where(np.arange(len(value)) == zero, mark, 0.0) + value), analysed):
             named = ".".join(map(str, groups[zero][0]))
             raise InputError(f"{named} is 0, and the model has other parts where it is not. Give it a value, or leave it out.")
     a, b = numbers_of(system), numbers_of(other)
@@ -249,7 +256,7 @@ def _placed(
             on = slope != 0.0
             new = computed[name][on], np.full(int(on.sum()), k), slope[on]
             places[name] = tuple(np.concatenate(pair) for pair in zip(places[name], new, strict=True))  # type: ignore[assignment]
-    return replace(system_at(system, base), given=model), base, places, other
+    return replace(system_at(system, base), given=analysed), base, places, other
 
 
 def _another(system: System, model: Model) -> bool:

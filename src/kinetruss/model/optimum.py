@@ -118,7 +118,8 @@ class OptimumLimit(Record):
 class OptimumTask(Record):
     """An optimum that is asked for: the least of a response, by variables, within limits.
 
-    least : the response that is made small, as ``mass`` or ``max(abs(drive_force))``, or a variable, by its name.
+    least : the response that is made small, as ``mass`` or ``max(abs(drive_force))``, or a variable, by its name;
+        after a minus it is made large.
     variables, limits : by name.
     model : the model file, beside this one; from Python a model is given.
     set : values of the model that are changed before, by path, as by ``--set``, also ``library.NAME``.
