@@ -61,6 +61,23 @@ def test_accelerations_go_with_the_square_of_the_duration():
     assert by.values == pytest.approx([-2 * value / 2.0, value], rel=1e-9)
 
 
+def test_quantities_that_the_model_defines():
+    # lever = y'/theta' = l cos theta; the angle counts on over a turn, along the whole motion alone
+    model = crank(quantities={"lever": "rate(A.y)/rate(motor)", "turned": "angle(crank)"})
+    move = kt.Quintic(moves={"motor": (0.2, 1.4)}, duration=2.0)
+    model = model.with_(runs={"turn": kt.Run(analysis="kinematics.follow", trajectory=move, samples=9)})
+    value, by = kt.value_and_gradient(kt.Response("at(lever, 0.5*s)", kt.run, model), ["nodes.A.at.0"])
+    s = 0.25
+    theta = 0.2 + 1.2 * (10 * s**3 - 15 * s**4 + 6 * s**5)
+    assert value == pytest.approx(0.5 * math.cos(theta), rel=1e-12)
+    assert by.item() == pytest.approx(math.cos(theta), rel=1e-9)
+    value, by = kt.value_and_gradient(kt.Response("final(turned)", kt.run, model), ["runs.turn.trajectory.moves.motor.1"])
+    assert (value, by.item()) == (pytest.approx(1.4, rel=1e-12), pytest.approx(1.0, rel=1e-9))
+    wishbone = kt.read(kt.library.example_files()["double_wishbone"][0])
+    for response in ("max(camber)", "max(roll_centre)"):
+        assert kt.check_gradient(kt.Response(response, kt.run, wishbone), ["nodes.UF.at.1", "nodes.LB.at.1"]).error < 1e-8
+
+
 def test_a_run_under_a_condition():
     # a payload and another gravity: T = (m + p) l (g cos theta + l theta'')
     model = crank(

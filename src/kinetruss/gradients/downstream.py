@@ -17,6 +17,7 @@ from kinetruss.dynamics.force_tables import force_arrays
 from kinetruss.gradients.motion_rows import Prescribed, carried, holding
 from kinetruss.kernels.structure.structure import LENGTH, States
 from kinetruss.kinematics.motions import Course, motion_arrays
+from kinetruss.kinematics.quantity_histories import quantities, quantities_apart
 from kinetruss.mechanics import compile
 from kinetruss.mechanics.beam_shapes import yielding_shapes
 from kinetruss.mechanics.matrices import mass_by_nodes
@@ -55,7 +56,8 @@ class Asked:
 class Along(Mapping[str, Any]):
     """The variables along a motion, each with its axes; found when they are first read.
 
-    motion, forces : of `model`; what follows is of these. rest (times, 3 n) : what is left at the nodes, N.
+    motion, forces : of `model`; what follows is of these. rest (times, 3 n) : what is left at the nodes, N, of instants by
+    themselves.
     """
 
     def __init__(self, model: Model, asked: Asked, motion: Motion, forces: Forces | None, rest: Floats | None = None) -> None:
@@ -75,6 +77,7 @@ class Along(Mapping[str, Any]):
             found |= dict.fromkeys(VERDICT, lambda: self._verdict)
             found |= dict.fromkeys(SECTIONS if twisted_parts(self.model).any() else SECTIONS[:-1], lambda: self._sections)
             found |= dict.fromkeys(DEMAND if self.model.actuators else (), lambda: self._demand)
+        found |= dict.fromkeys((name for name in self.model.quantities if name not in found), lambda: self._quantities)
         return found | {"mass": lambda: self._whole, "time": partial(dict, self.motion.arrays)}
 
     def __getitem__(self, name: str) -> Any:
@@ -89,6 +92,16 @@ class Along(Mapping[str, Any]):
     @cached_property
     def _whole(self) -> Columns:
         return {"mass": variable((), np.asarray(mass_by_nodes(self.system).sum()), "kg", "mass of the model")}
+
+    @cached_property
+    def _quantities(self) -> Columns:
+        """Those that the model defines; angles count on along the whole motion alone."""
+        apart = quantities_apart(self.model, self.motion, self.forces)
+        if self.rest is not None:
+            return apart
+        whole = quantities(self.model, self.motion, forces=self.forces).value
+        names = whole.coords["quantity"].values.tolist()
+        return {name: one._replace(values=whole.values[:, names.index(name)]) for name, one in apart.items()}
 
     @cached_property
     def _verdict(self) -> Columns:

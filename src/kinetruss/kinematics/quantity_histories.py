@@ -35,7 +35,7 @@ from kinetruss.model.expressions import (
 )
 from kinetruss.model.measured_forces import ExpressionError
 from kinetruss.model.quantities import kinds_of
-from kinetruss.results import Motion, Simulation, variable
+from kinetruss.results import Column, Motion, Simulation, variable
 from kinetruss.results.wide_tables import unit_along
 
 if TYPE_CHECKING:
@@ -116,6 +116,26 @@ def quantities(
     words = [model.quantities[name].words if expressions is None else "" for name in trees]
     more["words"] = ("quantity", np.array(words, str))
     return xr.Dataset(columns, coords=coords | more, attrs={"kind": "quantities"})
+
+
+def quantities_apart(model: Model, motion: Motion, forces: Forces | None = None) -> dict[str, Column]:
+    """The quantities of a model at each instant of a motion by itself, each over (time,): angles are nearest to those of the
+    model, and do not count on.
+    """
+    trees, kinds = _read(model, None)
+    system = compile(model)
+    states = _coefficients(*(_flat(system, motion.arrays[name].values) for name in ("position", "velocity", "acceleration")))
+    start = np.zeros((3, system.x0.size, 1))
+    start[0, :, 0] = system.x0.reshape(-1)
+    slots = _slots(system, trees.values())
+    read = _values(slots, forces or motion, states)
+    start = _joined(start, np.full((len(read), 1), np.nan), None, slice(None), linear=False)
+    before = _evaluated(system, trees, start, None, None, slots)[1]
+    found = _evaluated(system, trees, _joined(states, read, None, slice(None), linear=False), None, before, slots)[0][0]
+    return {
+        name: variable(("time",), one, kind.unit, model.quantities[name].words)
+        for name, kind, one in zip(trees, kinds, found, strict=True)
+    }
 
 
 def _read(model: Model, expressions: Mapping[str, str] | None) -> tuple[dict[str, Tree], list[Kind]]:
