@@ -56,7 +56,7 @@ class OptimumVariable(Record):
 
     of : its dotted path, as for ``--set`` (``bars.M7.section.area``, ``nodes.C.at.0``), or several paths, which have one value;
         a star stands for all that fit.
-    multiples : further paths, each with the factor by which it follows: the bore of a tube, ``{sections.bar.inner: 0.84}``; the
+    multiples : further paths, each with the factor by which it follows: the bore of a tube, ``{sections.rim.inner: 0.84}``; the
         other side of what is symmetric, ``{nodes.L.at.0: -1}``.
     between : least and largest value. start : where the search begins; by default the value of the model.
     scale : in which the solver sees it: ``range`` linear; ``log``; ``inverse``, its reciprocal (both above 0).
