@@ -109,7 +109,7 @@ def test_a_ratio_takes_measured_points_that_are_exact_enough():
 
 def test_gradients_are_exact():
     """By tables: those of a complex step of the whole, and of differences of statics."""
-    found = loaded("gradients").measured()
+    found = loaded("gradients").through_tables()
     assert found["error_complex"] < 1e-12
     assert found["error_differences"] < 1e-7
     assert found["ratio"] > 0
