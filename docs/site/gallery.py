@@ -31,7 +31,7 @@ GROUPS = {
         "double_wishbone", "jansen_leg", "four_bar", "stewart", "delta", "robot", "planar_crane", "space_crane",
     ),
     "Adaptive trusses": (
-        "double_octahedral_slew", "triangular_truss", "mast", "mast_design", "docking",
+        "double_octahedral_slew", "triangular_truss", "chain_two_axis", "mast", "mast_design", "docking",
     ),
     "Buildings that adapt": ("adaptive_footbridge", "facade", "wind_tower"),
     "Drives, springs and elastic members": ("drive_train", "driven_bay", "isolator_beam"),
