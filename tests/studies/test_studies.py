@@ -348,3 +348,34 @@ def test_variants_of_a_model_are_the_simplest_study(file, tmp_path):
     assert early.exit_code == 1
     assert "1 refused" in early.stdout
     assert CliRunner().invoke(main, ["study", str(file), "turn", "-o", str(out)]).exit_code == 2
+
+
+def test_gradients_at_the_model_as_it_is_and_parameters_in_other_processes():
+    """The torque of a Delta robot by its arms: the regression over few variants near by is close to the exact gradient."""
+    pick = kt.Positioning(node="Q", moves={"x": 0.2, "y": 0.1, "z": -0.7}, duration=0.3)
+    delta = kt.library.mechanisms.delta().with_(runs={"pick": kt.Run(targets=pick, samples=11)})
+    study = kt.studies.Study(
+        model=delta, run="pick", sample={"latin_hypercube": 6}, results={"torque": "max(abs(drive_force))", "kg": "mass"},
+        variables={"library.arm": {"between": ["345 mm", "355 mm"]}, "library.rod": {"between": ["795 mm", "805 mm"]}},
+    )  # fmt: skip
+    found = kt.studies.run_study(study, workers=2)
+    assert found.good.all()
+    exact = kt.gradient(kt.Response("max(abs(drive_force))", kt.run, delta), ["library.arm", "library.rod"]).values
+    assert [*found.gradients["torque"].values()] == pytest.approx(exact, rel=1e-12)
+    slope = found.summary.slope["torque"]
+    assert [1e3 * slope[name] for name in found.gradients["torque"]] == pytest.approx(exact, rel=0.02)
+    assert "gradient" in kt.report.study(found).text
+
+
+def test_a_function_that_other_processes_cannot_find_is_told():
+    model = kt.library.parametric(lambda span: _roof(span), span=4.0)
+    study = kt.studies.Study(model=model, run="lean", variables={"parameters.span": ["3 m", "4 m"]}, results={"kg": "mass"})
+    with pytest.raises(InputError, match="cannot find the function that builds the model"):
+        kt.studies.run_study(study)
+
+
+def _roof(span):
+    return kt.Model(
+        nodes={"A": (0, 0), "B": (span, 0), "C": (span / 2, 1.5)}, fixed=["A", "B"], bars={"l": ("A", "C"), "r": ("B", "C")},
+        section=kt.Rod(diameter=0.02), material="steel_s235", runs={"lean": kt.Run(analysis="statics.linear")},
+    )  # fmt: skip

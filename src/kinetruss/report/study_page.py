@@ -17,6 +17,7 @@ from kinetruss.display.tables import mixed, words
 from kinetruss.report.page import Page
 from kinetruss.report.pictures.draw import write
 from kinetruss.report.pictures.specs import ACCENT, INK, QUIET, RC
+from kinetruss.units import parse
 
 if TYPE_CHECKING:
     from kinetruss.report.entries import Entry
@@ -60,6 +61,7 @@ def _record(found: StudyResult) -> dict[str, Any]:
         "variables": {name: found.data[name].attrs.get("units", "") for name in found.variables},
         "results": {name: found.data[name].attrs.get("units", "") for name in found.results},
         "nominal": _plain(found.nominal),
+        "gradients": _plain(found.gradients),
         "summary": summary,
     }
 
@@ -129,8 +131,8 @@ def _said(found: StudyResult) -> str:
 
 
 def _sensitivity(found: StudyResult, name: str) -> Table:
-    """How a result depends on every variable."""
-    one = found.summary
+    """How a result depends on every variable; with its gradient at the model as it is, if that is known."""
+    one, exact = found.summary, found.gradients.get(name, {})
     rows = []
     for variable in found.variables:
         unit = found.data[variable].attrs.get("units", "")
@@ -142,13 +144,19 @@ def _sensitivity(found: StudyResult, name: str) -> Table:
                 *(_with_error(part, more, name, variable) for part, more in _indices(found)),
                 _number(one.rank.get(name, {}).get(variable, math.nan)),
                 f"{number(slope)} +- {number(error, 2)} {per}" if math.isfinite(slope) else "-",
+                *([f"{number(exact[variable] * _size(unit))} {per}" if variable in exact else "-"] if exact else []),
             )
         )
     share = one.linear.get(name, math.nan)
     note = f"A linear function of the variables explains {100 * share:.1f} % of the variance." if math.isfinite(share) else ""
     heads = ("first order", "total") if one.first else ()
     caption = f"{name}: Sobol indices, rank correlation, slope" if one.first else f"{name}: rank correlation, slope"
-    return Table(("variable", *heads, "rank", "slope"), rows, caption, note)
+    return Table(("variable", *heads, "rank", "slope", *(["gradient"] if exact else [])), rows, caption, note)
+
+
+def _size(unit: str) -> float:
+    """One of a unit, in SI."""
+    return float(parse(f"1 {unit}", "measure")) if unit else 1.0
 
 
 def _indices(found: StudyResult) -> list[tuple[Mapping[str, Any], Mapping[str, Any]]]:

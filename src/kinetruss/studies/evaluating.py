@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+import pickle
 import time
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
@@ -41,15 +42,15 @@ class Outcome:
 
 @dataclass(frozen=True)
 class Task:
-    """All that a process needs for the variants of a study. model : a model as JSON, or the path of its file, if a parameter of
-    its library is a variable. results : name -> text. level : how much of a run these need (`brief_runs`). optimum : the text
-    of a task, of which each variant is an optimum in place of a run.
+    """All that a process needs for the variants of a study. model : a model as JSON; built : as pickled, if a parameter from
+    which it is built is a variable. results : name -> text. level : how much of a run these need (`brief_runs`). optimum : the
+    text of a task, of which each variant is an optimum in place of a run.
     """
 
     model: str
     run: str
     results: tuple[tuple[str, str], ...]
-    path: str = ""
+    built: bytes = b""
     level: str = LEVELS[0]
     optimum: str = ""
     max_size: int = MAX_SIZE
@@ -130,7 +131,7 @@ def _together(base: Base, task: Task, kept: Kept, copies: Copies, rows: Rows) ->
 @lru_cache(maxsize=4)
 def _prepared(task: Task) -> tuple[Any, Any]:
     """The base of the variants, and what keeps the numbers."""
-    base = Base(task.path or Model.model_validate_json(task.model), task.max_size)
+    base = Base(pickle.loads(task.built) if task.built else Model.model_validate_json(task.model), task.max_size)
     if not task.optimum:
         return base, Kept(dict(task.results))
     tasks = Tasks(base, task.optimum)

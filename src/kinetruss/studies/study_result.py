@@ -30,7 +30,8 @@ class StudyResult:
     data : over row: the variables in the units in which they were given (attribute ``units``, of bare numbers ""), texts as
         they are; the results in SI, NaN without a number; ``status``, ``message``, ``seconds`` of processor time.
         ``data.to_dataframe()`` is a table of pandas.
-    variables, results : their names. nominal : results of the model as it is, if it was done. title, run : of the study; run is
+    variables, results : their names. nominal : results of the model as it is, if it was done; gradients : result ->
+    variable -> exact derivative there, SI, where there is one. title, run : of the study; run is
     empty if each variant is an optimum, of which status ``INFEASIBLE`` is a result too, and ``UNCERTIFIED`` none.
     base_points : of Saltelli's design, else 0. path : the folder, or None.
     """
@@ -39,6 +40,7 @@ class StudyResult:
     variables: tuple[str, ...]
     results: tuple[str, ...]
     nominal: Mapping[str, float] = field(default_factory=dict)
+    gradients: Mapping[str, Mapping[str, float]] = field(default_factory=dict)
     run: str = ""
     title: str = ""
     base_points: int = 0
@@ -125,6 +127,7 @@ def result_of(ledger: Ledger) -> StudyResult:
         variables=tuple(variables),
         results=tuple(results),
         nominal=(nominal.get("numbers") or {}) if isinstance(nominal, dict) and nominal.get("status") in GOOD else {},
+        gradients=ledger.about("gradients") or {},
         run=ledger.about("run"),
         title=ledger.about("title") or "",
         base_points=ledger.about("base points") or 0,

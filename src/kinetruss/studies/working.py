@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+import pickle
 import time
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from contextlib import AbstractContextManager, nullcontext
@@ -25,6 +26,7 @@ from kinetruss.studies.brief_runs import LEVELS
 from kinetruss.studies.evaluating import DIED, FAILED, Outcome, Rows, Task, evaluate, outcome_of, ready
 from kinetruss.studies.kept_numbers import Kept
 from kinetruss.studies.ledger import PAUSE, Contents, Ledger, claimed, in_memory, write_parquet
+from kinetruss.studies.nominal_gradients import nominal_gradients
 from kinetruss.studies.optima import OPTIMUM, Numbers, Tasks
 from kinetruss.studies.sampling import points_of
 from kinetruss.studies.study_file import Study, study_of
@@ -158,10 +160,10 @@ class _Job:
         self.paths = {name: study.paths_of(name) for name in self.points.names}
         self._check_paths(model)
         kept = self.kept
-        built = any(path.startswith("library.") for paths in self.paths.values() for path in paths)
         text = model.model_dump_json()
-        file = str(Path(study.model).absolute()) if built and isinstance(study.model, str) else ""
-        self.task = Task("" if file else text, self.run, tuple(kept.texts.items()), file, optimum=optimum, max_size=max_size)
+        every = [path for own in self.paths.values() for path in own]
+        built = _pickled(model) if any(path.startswith(("library.", "parameters.")) for path in every) else b""
+        self.task = Task("" if built else text, self.run, tuple(kept.texts.items()), built, optimum=optimum, max_size=max_size)
         whole = {
             "model": text,
             "run": self.run,
@@ -183,7 +185,7 @@ class _Job:
             for path in paths:
                 if owner.setdefault(path, name) != name:
                     faults.append(Fault(("variables", name), f"sets {path!r}, as {owner[path]!r} does.", "Leave one out."))
-                if not path.startswith(("library.", OPTIMUM if self.study.optimum is not None else "library.")):
+                if not (self.study.optimum is not None and path.startswith(OPTIMUM)):
                     faults += _unknown(model, name, path)
         if faults:
             raise ModelError(faults)
@@ -258,6 +260,8 @@ class _Job:
         if check and local and self.study.optimum is None:
             self._check_influence(found)
         ledger.note("nominal", {name: getattr(found, name) for name in Outcome.__dataclass_fields__})
+        if found.numbers is not None and isinstance(self.base, Base):
+            ledger.note("gradients", nominal_gradients(self.base.with_({}), self.run, self.kept.texts, self.paths))
         return found
 
     def _check_influence(self, nominal: Outcome) -> None:
@@ -274,6 +278,21 @@ class _Job:
                 names = ", ".join(self.kept.texts)
                 message = f"does nothing to the results: its least and largest value give the same {names}."
                 raise ModelError([Fault(("variables", name), message, mend)])
+
+
+def _pickled(model: Model) -> bytes:
+    """A model with the function that builds it.
+
+    Raises
+    ------
+    InputError : other processes cannot find the function.
+    """
+    try:
+        return pickle.dumps(model)
+    except (pickle.PicklingError, AttributeError, TypeError) as error:
+        raise InputError(
+            f"Other processes cannot find the function that builds the model ({error}). Define it in a module, by its own name."
+        ) from None
 
 
 def _same(one: Mapping[str, float], other: Mapping[str, float]) -> bool:
