@@ -43,7 +43,7 @@ from revision import NoHistoryError, checkout, hash_of
 
 HERE = Path(__file__).resolve().parent
 TREE = HERE.parents[2]
-BASE = "330bea87c96d5f0a19562b379fe29975810b2ddb"
+BASE = "9c76f79d29b30fe42df9b79bfc38e5d69ed17a94"
 """Commit that the tree must agree with."""
 NOT_CHECKED = 3
 MOST = 60
