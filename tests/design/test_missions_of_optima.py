@@ -130,7 +130,7 @@ def test_parts_of_catalogues_that_exceed_a_limit_are_told():
 
 
 def test_values_are_set_before_the_search(tmp_path):
-    """Those of the library model of a file, too; of a model that is given there are none."""
+    """Those of the library model of a file, too, and of a model that was read from it."""
     file = tmp_path / "bay.yaml"
     file.write_text("kinetruss: 1\nlibrary: {name: vgt.triangular, payload_mass: 10 kg}\n")
     task = kt.OptimumTask(
@@ -139,10 +139,9 @@ def test_values_are_set_before_the_search(tmp_path):
     )  # fmt: skip
     from kinetruss.design.optimal_design import model_for
 
-    model = model_for(task, str(file))
-    assert (model.nodes["B"].mass, model.nodes["B"].at) == (20.0, (2.0, 1.5))
-    with pytest.raises(kt.errors.InputError, match="only for a model file"):
-        kt.design.optimise(kt.read(file), task)
+    for given in (str(file), kt.read(file)):
+        model = model_for(task, given)
+        assert (model.nodes["B"].mass, model.nodes["B"].at) == (20.0, (2.0, 1.5))
 
 
 @pytest.mark.parametrize(

@@ -34,6 +34,8 @@ class Reading:
         self.max_size = max_size
         self.faults: list[Fault] = []
         self.lost: list[Place] = []
+        self.tables: dict[Any, dict[str, Any]] = {}
+        """Contents of files that were read, by what was read of them."""
 
     def entries(self, table: str) -> list[tuple[str, Any]]:
         """The entries of one table that are themselves tables."""
@@ -81,8 +83,11 @@ def _from_file(reading: Reading, path: Place, entry: Mapping[str, Any], read: Re
     if not isinstance(file, str):
         reading.faults.append(Fault((*path, "file"), "does not name a file.", "Write for example file: table.csv."))
         return None
+    what = (file, read, str(entry.get("kind")), str(entry.get("largest_gap")))
     try:
-        return rest | read(reading.folder / file, rest, reading.max_size)
+        if what not in reading.tables:
+            reading.tables[what] = read(reading.folder / file, rest, reading.max_size)
+        return rest | reading.tables[what]
     except ModelError as error:
         reading.faults += [_named(fault, path, file) for fault in error.faults]
         return None
