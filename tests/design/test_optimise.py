@@ -341,6 +341,19 @@ def test_a_search_that_only_passes_where_the_analysis_fails_is_certified():
     assert 0.13 < found.values["coupler"] < 0.42
 
 
+def other_closed(coupler):
+    """The same model as `closed` at 0.3 m, and another one elsewhere."""
+    return closed(0.6 - coupler)
+
+
+def test_another_function_that_gives_the_same_model_is_another_task(tmp_path):
+    wanted = {"coupler": {"of": "parameters.coupler", "between": (0.25, 0.35)}}
+    for _ in range(2):
+        kt.design.optimise(kt.library.parametric(closed, coupler=0.3), wanted, "coupler", {}, **TURNS, out=tmp_path)
+    with pytest.raises(kt.errors.InputError, match="another model or task"):
+        kt.design.optimise(kt.library.parametric(other_closed, coupler=0.3), wanted, "coupler", {}, **TURNS, out=tmp_path)
+
+
 def test_bounds_at_which_a_function_gives_no_model_are_refused():
     model = kt.library.parametric(closed, coupler=0.3)
     with pytest.raises(kt.ModelError, match=r"the function gives no model at coupler 0.5: "):

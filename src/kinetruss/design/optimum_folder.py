@@ -78,7 +78,10 @@ def opened(
     InputError : another task's folder (without `overwrite`), or one that is not empty and no optimum's.
     StoreError : another process writes it; it cannot be written.
     """
-    hashed = hashlib.blake2b(f"{model.model_dump_json()} {_dumped(task)}".encode(), digest_size=16).hexdigest()
+    asked = f"{model.model_dump_json()} {_dumped(task)}"
+    if model.recipe is not None and any(name in asked for name in ('"library.', '"parameters.')):
+        asked += model.recipe.source  # a function may give the same model, and other ones beside it
+    hashed = hashlib.blake2b(asked.encode(), digest_size=16).hexdigest()
     _check(path, hashed, overwrite)
     check_unlocked(path)
     with holding(path):

@@ -168,6 +168,7 @@ class _Job:
             "model": text,
             "run": self.run,
             **({"optimum": optimum} if optimum else {}),
+            **({"built by": model.recipe.source} if built and model.recipe is not None else {}),
             "variables": {name: list(paths) for name, paths in self.paths.items()},
             "points": [list(self.points.units), [list(row) for row in self.points.rows]],
             "results": dict(kept.texts),
