@@ -58,7 +58,7 @@ def test_a_triangle_is_drawn_and_has_the_forces_of_statics_by_hand():
 @pytest.mark.slow
 def test_what_is_missing_is_said_at_every_step_and_drawing_goes_on():
     desk = drawing()
-    assert "Choose Bar and drag" in desk.first()["missing"][0]
+    assert "Drag from point to point" in desk.first()["missing"][0]
     found = done(desk, do="add", at=[0, 0])
     assert [words.split(":")[0] for words in found["missing"]] == ["No bar yet", "No support yet"]
     found = done(desk, do="add", at=[1, 0], bar_from="A")

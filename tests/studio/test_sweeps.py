@@ -69,6 +69,16 @@ def test_a_four_bar_blocks_where_rod_and_rocker_are_in_line():
     np.testing.assert_allclose(found.velocity[inner], rates[inner], atol=2e-3 * np.abs(rates[inner]).max())
 
 
+def test_a_cylinder_blocks_where_it_is_in_line_with_the_link_that_it_lifts():
+    model = kt.Model(
+        nodes={"A": (0, 0), "P": (0.8, 0.6), "T": (1.6, 1), "B": (0.4, 0)}, fixed={"A": "xy", "B": "xy"},
+        links={"boom": ("A", "P", "T")}, bars={"jack": kt.Bar(ends=("B", "P"), kind="driven")},
+    )  # fmt: skip
+    found = swept(model, kt.kinematics.assemble(model), ["jack"])
+    assert found.values[0, 0] == pytest.approx(0.6, abs=2e-3)  # |AP| - |AB|: P, A and B in line
+    assert found.ends[0] == "jack blocks at 600 mm: jack and boom are in line at P."
+
+
 def test_the_work_of_the_drive_is_that_of_the_load():
     model = four_bar((0.1, 0.35, 0.3), 0.4)
     found = swept(model, kt.kinematics.assemble(model), ["motor"])

@@ -10,6 +10,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from kinetruss import statics
+from kinetruss.display import quantity
 from kinetruss.errors import Fault, KinetrussError, ModelError
 from kinetruss.mechanics import arrange, compile
 from kinetruss.mechanics.elements import has_elements
@@ -213,9 +214,10 @@ def _forces(
         found = np.array(rest.whole["position"].values)
         size = float(np.ptp(position, axis=0).max()) or 1.0
         sag = float(np.abs(found - position).max())
+        away = quantity(sag, "m")
         if not rest.stable or sag > 0.2 * size:
-            return None, f"No forces: the nearest equilibrium is {'unstable' if not rest.stable else f'{sag:.3g} m away'}."
-        return at_rest(model, found), f"Forces are those of the equilibrium, up to {sag:.3g} m from the drawing."
+            return None, f"No forces: the nearest equilibrium is {f'{away} away' if rest.stable else 'unstable'}."
+        return at_rest(model, found), f"Forces are those of the equilibrium, up to {away} from the drawing."
     except KinetrussError as error:
         return None, f"No forces: {error}"
 

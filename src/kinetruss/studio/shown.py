@@ -465,7 +465,7 @@ def _missing(drawing: Drawing) -> list[str]:
     data, found = drawing.state.data, drawing.found
     words = []
     if not data.get("nodes"):
-        return ["Choose Bar and drag in the drawing, or Node and click. The mouse wheel sets the scale."]
+        return ["Drag from point to point with Bar, or click with Node. The mouse wheel sets the scale."]
     if not any(data.get(table) for table in (*MEMBERS, "membranes", "solids")):
         words.append("No bar yet: drag from node to node.")
     if _floats(data):

@@ -172,7 +172,7 @@ def _why(model: Model, drive: str, value: float, x: Floats, motion: Motion) -> s
     """Why a drive gets no further, in words."""
     at = f"{drive} {{}} at {quantity(value, 'rad' if turns(model.all_drives[drive]) else 'm')}: "
     if motion.status is Status.OUT_OF_REACH:
-        return at.format("blocks") + (_aligned(model, x) or reason(motion.message)) + "."
+        return at.format("blocks") + (_aligned(model, x) or "beyond it the bars do not close") + "."
     if motion.status is Status.SINGULAR:
         beyond = "beyond this dead point the drives do not determine the motion"
         return at.format("stops") + "; ".join(filter(None, [_aligned(model, x), beyond])) + "."
@@ -180,11 +180,13 @@ def _why(model: Model, drive: str, value: float, x: Floats, motion: Motion) -> s
 
 
 def _aligned(model: Model, x: Floats) -> str:
-    """The two bars that are nearest to one line at a common node that is not held, if they are near."""
+    """The two bars or links that are nearest to one line at a common node that is not held, if they are near."""
     places = dict(zip(model.nodes, x, strict=False))
+    lines = [(name, one.ends) for name, one in (model.members | model.beams).items()]
+    lines += [(name, pair) for name, link in model.links.items() for pair in combinations(link.nodes, 2)]
     at: dict[str, list[tuple[str, str]]] = {}
-    for name, member in model.members.items():
-        for node, other in (member.ends, member.ends[::-1]):
+    for name, ends in lines:
+        for node, other in (ends, ends[::-1]):
             if node not in model.fixed and node in places and other in places:
                 at.setdefault(node, []).append((name, other))
     best = (ALIGNED, "")
@@ -192,6 +194,8 @@ def _aligned(model: Model, x: Floats) -> str:
         if len(found) > 8:
             continue
         for (one, far), (two, away) in combinations(found, 2):
+            if one == two:
+                continue
             a, b = places[far] - places[node], places[away] - places[node]
             size = float(np.linalg.norm(a) * np.linalg.norm(b))
             if size:

@@ -1,7 +1,7 @@
 // What the drawing lacks, what moves, what is redundant, what is beyond a limit; drives and reactions.
 
 import { el } from "../dom.js";
-import { number, quantity } from "../format.js";
+import { column, quantity } from "../format.js";
 import { refill } from "./fields.js";
 
 const HEADS = { mechanism: "moves", redundant: "redundant", drive: "drive", open: "does not close" };
@@ -35,7 +35,7 @@ export class Status {
     if (key !== this.last) {
       this.last = key;
       const good = !rows.length && state.force;
-      this.words.replaceChildren(el("p", { class: good ? "good" : "" }, good ? `Stable, ${driven(state.drives.length)}. ${state.why}` : state.why),
+      this.words.replaceChildren(el("p", {}, good ? el("b", { class: "good" }, `Stable, ${driven(state.drives.length)}. `) : null, state.why),
         el("ul", {}, rows.slice(0, 14).map(([head, text, kind = head.split(" ")[0]]) => el("li", { class: `of-${kind}` }, head ? el("b", {}, head) : null, head ? " " : null, text)), hints.map((text) => el("li", {}, el("b", {}, "note"), " ", text)),
           pins.map(({ node, member }) => el("li", {}, el("button", { type: "button", class: "pin", title: `${member} becomes a link through ${node}: stiff there, and pinned to what else is at ${node}`, onclick: () => this.draw.edit({ do: "pin", member, node }) }, `Pin ${node} to ${member}`)))));
     }
@@ -53,12 +53,20 @@ export class Status {
     const reactions = Object.entries(state.reaction).slice(0, 60);
     if (reactions.length) {
       const moments = state.reaction_moment, turns = Object.keys(moments).length ? (state.dim === 3 ? axes : ["z"]) : [];
-      const cells = (values) => values.map((value) => el("td", {}, value === null ? "-" : number(Math.abs(value) < 1e-12 * Math.max(...values.map(Math.abs)) ? 0 : value, 4)));
-      tables.push(el("table", { class: "numbers" }, el("tr", {}, el("th", {}, "reaction"), axes.map((axis) => el("th", {}, `${axis} (N)`)), turns.map((axis) => el("th", {}, `M${axis} (N m)`))),
-        reactions.map(([name, values]) => el("tr", {}, el("th", {}, name), cells(values), moments[name] ? cells(moments[name]) : turns.map(() => el("td", {}))))));
+      const [forces, unit] = together(reactions.map(([, values]) => values), "N");
+      const [couples, coupleUnit] = together(reactions.map(([name]) => moments[name] || []), "N m");
+      const cells = (texts) => texts.map((text) => el("td", {}, text));
+      tables.push(el("table", { class: "numbers" }, el("tr", {}, el("th", {}, "reaction"), axes.map((axis) => el("th", {}, `${axis} (${unit})`)), turns.map((axis) => el("th", {}, `M${axis} (${coupleUnit})`))),
+        reactions.map(([name], k) => el("tr", {}, el("th", {}, name), cells(forces[k]), couples[k].length ? cells(couples[k]) : turns.map(() => el("td", {}))))));
     }
     refill(this.tables, ...tables);
   }
+}
+
+/** Texts of all numbers of a table in one unit, row by row, and the unit. */
+function together(rows, unit) {
+  const [texts, name] = column(rows.flat().map((value) => value ?? NaN), unit);
+  return [rows.map((row) => texts.splice(0, row.length)), name];
 }
 
 function driven(count) {
