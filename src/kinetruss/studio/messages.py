@@ -18,7 +18,7 @@ from kinetruss.studio.member_kinds import switched
 from kinetruss.studio.new_parts import made, with_analysis
 from kinetruss.studio.requested_runs import Finite, FrameList, Name, Values
 from kinetruss.studio.session import LARGE, Answer, Desk
-from kinetruss.studio.shown import film_of, numbers, over_of
+from kinetruss.studio.shown import fall_of, film_of, numbers, over_of
 from kinetruss.studio.taken import Form
 
 Names = Annotated[tuple[Name, ...], Field(max_length=100_000)]
@@ -355,6 +355,17 @@ def sweep(session: Session, drives: Names, rate: Typed | None = None, at_speed: 
     if not session.draw:
         raise InputError("This message is for a drawing.")
     return film_of(session, drives, rate, at_speed)
+
+
+@message
+def let_go(session: Session, held: bool = True) -> Answer:
+    """The motion from rest of what nothing holds, to be played: as `sweep`, with energies.
+
+    held : the drives stay where they are; else they are free.
+    """
+    if not session.draw:
+        raise InputError("This message is for a drawing.")
+    return fall_of(session, held)
 
 
 @message

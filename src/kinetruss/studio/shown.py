@@ -25,6 +25,7 @@ from kinetruss.studio.catalogue import weights
 from kinetruss.studio.copies import CELLS
 from kinetruss.studio.edits import MEMBERS, ends_of, place_of, supports
 from kinetruss.studio.judging import LISTED_NODES, loose_ends, on_members
+from kinetruss.studio.let_go import let_go
 from kinetruss.studio.member_kinds import role_of
 from kinetruss.studio.new_parts import forms
 from kinetruss.studio.poses import number
@@ -34,7 +35,7 @@ from kinetruss.viewer import pack, scene
 from kinetruss.viewer.support_marks import support_marks
 
 if TYPE_CHECKING:
-    from collections.abc import Sequence
+    from collections.abc import Mapping, Sequence
     from pathlib import Path
 
     from numpy.typing import NDArray
@@ -271,10 +272,18 @@ def film_of(session: Shown, drives: Sequence[str], rate: float | str | None, at_
         found = sweeps.settled(sweeps.swept(model, position, drives, rate=wanted, samples=sweeps.FEWEST), model)
     else:
         found = sweeps.swept(model, position, drives, rate=wanted)
-    header, arrays = sweeps.film(found, model, at_speed)
+    return _film(session, {"bent": bent}, *sweeps.film(found, model, at_speed))
+
+
+def fall_of(session: Shown, held: bool) -> bytes:
+    """The motion of a drawing that is let go, like that of its drives."""
+    return _film(session, {"bent": False}, *let_go(*session.closed(), held))
+
+
+def _film(session: Shown, told: Record, header: Record, arrays: Mapping[str, NDArray[np.float64]]) -> bytes:
     blocks = {name: np.ascontiguousarray(values, "<f4") for name, values in arrays.items()}
     table = {name: list(values.shape) for name, values in blocks.items()}
-    header = {"kind": "sweep", "revision": session.drawing.revision, "bent": bent, **header, "arrays": table}
+    header = {"kind": "sweep", "revision": session.drawing.revision, **told, **header, "arrays": table}
     return framed(header, *(values.tobytes() for values in blocks.values()))
 
 

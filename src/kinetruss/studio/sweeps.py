@@ -22,7 +22,7 @@ from kinetruss.studio.poses import LEAST, number, range_of, reason
 if TYPE_CHECKING:
     from numpy.typing import NDArray
 
-    from kinetruss.results import Motion
+    from kinetruss.results import Forces, Motion
 
     Floats = NDArray[np.float64]
 
@@ -245,7 +245,12 @@ def film(swept: Swept, model: Model, at_speed: bool = False) -> tuple[dict[str, 
     still = np.zeros_like(swept.position)
     v, a = (swept.velocity, swept.acceleration) if at_speed else (still, still)
     motion = kinematics.from_arrays(model, swept.time, swept.position, v, a)
-    forces = dynamics.inverse(model, motion, static=False)
+    header, arrays = packed(swept, model, dynamics.inverse(model, motion, static=False))
+    return header | {"at_speed": at_speed}, arrays
+
+
+def packed(swept: Swept, model: Model, forces: Forces) -> tuple[dict[str, Any], dict[str, Floats]]:
+    """A motion and its forces, as a page plays them."""
     arrays = forces.arrays
     names = [str(name) for name in arrays["drive"].values]
     moments = clamps(compile(model))
@@ -255,7 +260,6 @@ def film(swept: Swept, model: Model, at_speed: bool = False) -> tuple[dict[str, 
         "here": swept.here,
         "whole": swept.whole,
         "ends": list(swept.ends),
-        "at_speed": at_speed,
         "nodes": list(model.nodes),
         "members": [str(name) for name in arrays["member"].values],
         "supports": [str(name) for name in arrays["support"].values] if "support" in arrays else [],
@@ -279,8 +283,9 @@ def _driven(model: Model, swept: Swept, names: Sequence[str]) -> Floats:
     """Values of all drives (k, drives); those that are not swept stay."""
     system = compile(model)
     start = dict(zip(system.drives, map(float, system.drive_start), strict=True))
-    own = dict(zip(swept.drives, swept.values.T, strict=True))
-    return np.stack([own.get(name, np.full(len(swept.time), start[name])) for name in names], axis=1)
+    found = np.tile([start[name] for name in names], (len(swept.time), 1))
+    found[:, [names.index(name) for name in swept.drives]] = swept.values
+    return found
 
 
 def curve(
