@@ -10,6 +10,7 @@ from scipy.special import ellipk
 
 import kinetruss as kt
 from kinetruss.errors import InputError
+from kinetruss.mechanics import compile
 from kinetruss.studio.let_go import let_go
 
 G = 9.81
@@ -59,6 +60,9 @@ def test_what_has_no_mass_is_said_and_a_motion_that_takes_long_is_shown_as_far_a
     model = pendulum().with_(nodes={"A": (0, 0), "B": (0.5, 0)})
     with pytest.raises(InputError, match="mass"):
         let(model)
+    link = kt.Model(nodes={"A": (0, 0), "P": (0.3, 0), "B": (0.5, 0)}, fixed={"A": "xy"}, links={"l": ("A", "P", "B")})
+    with pytest.raises(InputError, match="^Nodes ('[ABP]',? )+have no mass"):  # and none of the inner ones of the link
+        let_go(link, compile(link).x0[:, :2], held=True)
     monkeypatch.setattr("kinetruss.studio.let_go.PATIENCE", -1.0)
     header, arrays = let(pendulum())
     assert header["ends"][1] == (

@@ -79,7 +79,9 @@ def _joined(system: System, light: NDArray[np.int64]) -> list[NDArray[np.int64]]
 
 def _moved(system: System, columns: list[int], direction: NDArray[np.float64]) -> str:
     chosen = [columns[k] // 3 for k in np.argsort(-np.abs(direction)) if abs(direction[k]) > 1e-6]
-    names = list(dict.fromkeys(system.nodes[i] for i in chosen))
+    inner = system.inner.nodes
+    moved = (system.nodes[i] for i in chosen)
+    names = list(dict.fromkeys(inner[name].at if name in inner else name for name in moved))
     shown = few([repr(name) for name in names], 4)
     return f"Node {shown} has" if len(names) == 1 else f"Nodes {shown} have"
 
