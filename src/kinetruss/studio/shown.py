@@ -60,7 +60,6 @@ class Shown(Protocol):
     drafts: Drafts | None
     drawing: Drawing
     original: State
-    saved: State
     case: str | None
     frames: Sequence[KeyFrame]
     key: str
@@ -73,6 +72,9 @@ class Shown(Protocol):
 
     @property
     def pose(self) -> Reached: ...  # noqa: D102
+
+    @property
+    def dirty(self) -> bool: ...  # noqa: D102
 
     @property
     def lost(self) -> list[str]: ...  # noqa: D102
@@ -251,19 +253,18 @@ def drawing_of(session: Shown, light: bool = False) -> Record:
         "hints": loose_ends(places, known, slides),
         "pins": _pins(data, places, known, slides),
         "file": "" if session.file is None else session.file.name,
-        "dirty": drawing.state is not session.saved,
+        "dirty": session.dirty,
+        "dimensions": [{kind: list(names)} for kind, names in drawing.state.dimensions],
         "writable": session.folder is not None,
         "offered": session.offered is not None,
         **_history(drawing),
     }
 
 
-def film_of(session: Shown, drives: Sequence[str], rate: float | str | None, at_speed: bool) -> bytes:
+def film_of(session: Shown, drives: Sequence[str], rate: float | str | None, at_speed: bool, strength: bool) -> bytes:
     """A motion of drives through their range: names and words in the header, float32 arrays over time after it."""
     model, position = session.closed()
-    wanted = None
-    if rate is not None and drives:
-        wanted = float(parse(rate, "angular rate" if turns(model.all_drives.get(drives[0])) else "speed"))
+    wanted = None if rate is None or not drives else _rate(rate, turns(model.all_drives.get(drives[0])))
     forces = session.drawing.found.forces
     if bent := forces is not None and not np.array_equal(forces.motion.whole["position"].values[0], position):
         if at_speed:
@@ -271,11 +272,20 @@ def film_of(session: Shown, drives: Sequence[str], rate: float | str | None, at_
         found = sweeps.settled(sweeps.swept(model, position, drives, rate=wanted, samples=sweeps.FEWEST), model)
     else:
         found = sweeps.swept(model, position, drives, rate=wanted)
-    header, arrays = sweeps.film(found, model, at_speed)
+    header, arrays = sweeps.film(found, model, at_speed, strength)
     blocks = {name: np.ascontiguousarray(values, "<f4") for name, values in arrays.items()}
     table = {name: list(values.shape) for name, values in blocks.items()}
     header = {"kind": "sweep", "revision": session.drawing.revision, "bent": bent, **header, "arrays": table}
     return framed(header, *(values.tobytes() for values in blocks.values()))
+
+
+def _rate(given: float | str, turning: bool) -> float:
+    """A rate of a drive, rad/s or m/s."""
+    kind, example = ("an angular rate", "60 deg/s or 10 rpm") if turning else ("a speed", "50 mm/s or 0.1 m/s")
+    try:
+        return float(parse(given, kind.split(" ", 1)[1]))
+    except UnitError:
+        raise InputError(f"{given!r} is not {kind}. Write for example {example}.") from None
 
 
 EACH = 4

@@ -33,7 +33,22 @@ export class Sweep {
     this.extent = { size: Math.hypot(...high.map((value, i) => value - low[i])) };
     this.moving = movingNodes(this);
     this.largest = usual(Array.from({ length: this.frames }, (_, k) => Math.max(0, ...this.row("member_force", k).map(Math.abs).filter(Number.isFinite))));
+    this.judge();
     this.lead = this.drives.findIndex(({ name }) => name === this.swept[0]);
+  }
+
+  /** The largest utilisation, and members that are checked in no pose. */
+  judge() {
+    const { data } = this.arrays.used || { data: [] }, count = this.judged?.length;
+    this.most = data.reduce((best, value, k) => (value > (best?.value ?? -1) ? { value, member: this.judged[k % count], sample: Math.floor(k / count) } : best), null);
+    this.never = (this.judged || []).filter((_, i) => Array.from({ length: this.frames }, (_, k) => data[k * count + i]).every(Number.isNaN));
+  }
+
+  /** Utilisation of each member that is checked at a sample; null if the strength was not asked for. */
+  used(k) {
+    if (!this.judged) return null;
+    const row = this.judged.length ? this.row("used", k) : [];
+    return Object.fromEntries(this.judged.map((name, i) => [name, row[i]]).filter(([, value]) => Number.isFinite(value)));
   }
 
   /** The values of a sample of an array, as one row. */
@@ -76,6 +91,7 @@ export class Sweep {
         return { ...one, value: this.value(k, d), force: finite(this.held(k, d)) };
       }),
       unsure: this.unsure,
+      used: this.used(k),
     };
   }
 
