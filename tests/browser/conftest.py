@@ -13,7 +13,9 @@ from typing import Any
 import pytest
 from playwright.sync_api import Browser, Page, sync_playwright
 
-from served import Served, start
+from hand import Hand
+from kinetruss import Model
+from served import Served, serve, start
 
 CHROMIUM = shutil.which("chromium") or shutil.which("chromium-browser")
 FLAGS = ("--no-sandbox", "--use-gl=angle", "--use-angle=swiftshader", "--enable-unsafe-swiftshader", "--disable-gpu-sandbox")
@@ -114,3 +116,18 @@ def served(tmp_path) -> Iterator[Served]:
     yield one
     one.process.kill()
     one.process.communicate()
+
+
+@pytest.fixture
+def opened(show, tmp_path) -> Iterator[Any]:
+    """A page of a drawing of some model."""
+    studios = []
+
+    def one(model: Model, **more) -> Hand:
+        studios.append(serve(model, tmp_path))
+        return Hand(show(studios[-1].address + "draw/", **{"width": 1440, "height": 900} | more))
+
+    yield one
+    for studio in studios:
+        studio.process.kill()
+        studio.process.communicate()

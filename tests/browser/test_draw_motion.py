@@ -11,7 +11,6 @@ import pytest
 import kinetruss as kt
 from four_bars import four_bar
 from hand import Hand, drawn
-from served import serve
 
 pytestmark = pytest.mark.slow
 
@@ -20,21 +19,6 @@ PLAY = "kinetruss.draw.play"
 
 def said(hand: Hand) -> str:
     return hand.page.locator(".motion .words").inner_text()
-
-
-@pytest.fixture
-def opened(show, tmp_path):
-    """A page of a drawing of some model."""
-    studios = []
-
-    def one(model: kt.Model, **more) -> Hand:
-        studios.append(serve(model, tmp_path))
-        return Hand(show(studios[-1].address + "draw/", **{"width": 1440, "height": 900} | more))
-
-    yield one
-    for studio in studios:
-        studio.process.kill()
-        studio.process.communicate()
 
 
 def check_pose(hand: Hand, model: kt.Model) -> None:

@@ -3,10 +3,12 @@
 from __future__ import annotations
 
 import ast
+import io
 import json
 import time
 
 import numpy as np
+import pypdf
 import pytest
 
 import kinetruss as kt
@@ -157,6 +159,9 @@ def test_pictures_are_those_of_the_report(drawing, tmp_path):
     kt.report.picture(drawing.model, tmp_path / "own.svg")
     assert svg.content.count(b"<path") == (tmp_path / "own.svg").read_bytes().count(b"<path")
     assert made(drawing, form="png").content.startswith(b"\x89PNG")
+    (page,) = pypdf.PdfReader(io.BytesIO(made(drawing, form="pdf").content)).pages
+    assert not page.images  # lines, and text that stays text
+    assert all(name in page.extract_text() for name in drawing.model.nodes)
 
 
 @pytest.mark.slow

@@ -10,7 +10,9 @@ import pytest
 
 import kinetruss as kt
 from four_bars import four_bar
+from kinetruss.strength import utilisation
 from kinetruss.studio import Session
+from kinetruss.studio.poses import at_rest, strength_of
 from kinetruss.studio.sweeps import film, swept
 
 
@@ -104,6 +106,37 @@ def test_a_jack_goes_through_its_limits_and_several_drives_go_together():
     np.testing.assert_allclose(share[both.here :, 0], share[both.here :, 1], atol=1e-9)
 
 
+def test_the_strength_along_a_motion_is_that_of_every_pose_by_itself():
+    model = four_bar((0.1, 0.35, 0.3), 0.4)
+    rod = {"section": kt.Rod(diameter=0.005)}
+    own = {
+        "crank": rod | {"material": "steel_s235"},
+        "rod": {},
+        "rocker": rod | {"material": kt.Material(E=2.1e11, density=7850)},
+    }
+    bars = {name: kt.Bar(ends=bar.ends, **own[name]) for name, bar in model.bars.items()}
+    model = model.with_(bars=bars, loads={"F": kt.NodalForce(node="C", force=(100, 80))})
+    found = swept(model, kt.kinematics.assemble(model), ["motor"], samples=37)
+    header, arrays = film(found, model, strength=True)
+    assert header["judged"] == ["crank", "rod", "rocker"]
+    used = arrays["used"]
+    for k in range(0, len(found.time), 6):
+        forces = at_rest(model, found.position[k])
+        pose = strength_of(model, forces)[1]
+        known = ~np.isnan(used[k])
+        assert dict(zip(np.array(header["judged"])[known], used[k][known], strict=True)) == pytest.approx(pose)
+        rules = utilisation(model, forces).utilisation.sel(part="crank").values
+        assert pose["crank"] == pytest.approx(float(np.nanmax(rules)))
+        # without a yield strength a bar is judged where it is pushed, and not where it is pulled: that is no use of 0 %
+        assert ("rocker" in pose) == bool(forces.member_force.sel(member="rocker") < 0)
+    assert np.isnan(used[:, 2]).any()
+    assert (used[:, 2] > 0).any()
+    assert np.isnan(used[:, 1]).all()  # no section
+    bare, arrays = film(found, four_bar((0.1, 0.35, 0.3), 0.4), strength=True)
+    assert (bare["judged"], "used" in arrays) == ([], False)
+    assert film(found, model)[0]["judged"] is None
+
+
 def unpacked(answer: bytes) -> tuple[dict, dict[str, np.ndarray]]:
     size = int.from_bytes(answer[:4], "little")
     header, at, found = json.loads(answer[4 : 4 + size]), 4 + size, {}
@@ -127,6 +160,7 @@ def test_a_page_gets_the_motion_or_why_there_is_none_and_takes_over_a_pose_of_it
     assert "has no drive" in ask(do="sweep", drives=[])["message"]
     assert "not an angular rate" in ask(do="sweep", drives=["motor"], rate="10 mm/s")["message"]
     assert "above 0" in ask(do="sweep", drives=["motor"], rate=-1)["message"]
+    assert header["rate"] == pytest.approx(4 * math.pi)
     put = ask(do="put", values={"motor": math.radians(30)})
     np.testing.assert_allclose(put["places"][1], [0.2 * math.cos(math.radians(30)), 0.1], atol=1e-14)
     assert put["undo"] == "the other pose"

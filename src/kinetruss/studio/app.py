@@ -172,10 +172,10 @@ async def _talk(socket: WebSocket, session_of: Callable[[str], Session], pages: 
         if len(given) > session.most:
             await socket.close(1009, "too long")
             return
-        before = session.drawing.revision
+        before = session.drawing.state
         found = await _meanwhile(socket, _answer, session, given)
         await _send(socket, found)
-        if session.drawing.revision != before and isinstance(found, dict) and found["kind"] in ("drawing", "moved"):
+        if session.drawing.state is not before and isinstance(found, dict) and found["kind"] in ("drawing", "moved"):
             for other in [one for one, of in pages.items() if of is session and one is not socket]:
                 await _send(other, {**found, "made": {}, "other": True})
 

@@ -2,14 +2,16 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from functools import cached_property
 from pathlib import Path
 from typing import Any
 
 from kinetruss.errors import Fault, InputError, ModelError, UnitError
+from kinetruss.io.emitting import plain_model
 from kinetruss.io.writing import changed_text, data_of, head_of, text_of
 from kinetruss.model import Model, of_file
+from kinetruss.studio.dimensions import Dimensions, standing
 from kinetruss.studio.edits import MEMBERS, Data, moved, place_of
 from kinetruss.studio.judging import Judged, judged
 from kinetruss.units import parse
@@ -71,7 +73,7 @@ class State:
 
     last : the state whose text this one's text continues, with its comments. folder : of files that the text names.
     within : whether only files of the folder may be read for it. model : of the data, where it is known.
-    lost : entries by table that were removed because they depend on members that changed.
+    lost : entries by table that were removed because they depend on members that changed. dimensions : that pages show.
     """
 
     data: Data
@@ -83,6 +85,7 @@ class State:
     within: bool = True
     model: Model | None = None
     lost: Data = field(default_factory=dict)
+    dimensions: Dimensions = ()
 
     @cached_property
     def text(self) -> str:
@@ -135,6 +138,17 @@ def model_of(data: Data, folder: Path) -> Model:
         return Model(**data)
 
 
+def opened(model: Model | None, text: str, folder: Path | None, dim: int, draw: bool) -> State:
+    """The state of a model that was read, with its text if that is given and can be followed."""
+    if model is None:
+        return State(fresh(dim), folder=folder or Path())
+    if text:
+        data, faults = read_text(text, folder or Path(), within=False)
+        if not faults:
+            return State(data, text, folder=folder or Path(), within=draw, model=model)
+    return State(plain_model(model), model=model)
+
+
 class Drawing:
     """The present state, those before and after it, and what the present one is worth."""
 
@@ -159,7 +173,10 @@ class Drawing:
         names = self.state.data.get("nodes") or {}
         return len(place_of(self.state.data, next(iter(names)))) if names else self.own_dim
 
-    def edit(self, data: Data, words: str, drag: int | None = None, *, anew: bool = False, lost: Data | None = None) -> None:
+    def edit(
+        self, data: Data, words: str, drag: int | None = None, *, anew: bool = False, lost: Data | None = None,
+        dimensions: Dimensions | None = None,
+    ) -> None:  # fmt: skip
         """Take new data as the next state, closed. anew : another drawing, whose text does not continue the present one.
 
         Raises
@@ -172,19 +189,24 @@ class Drawing:
             raise ModelError(new)
         if shifted := {name: place for name, place in found.moved.items() if name in data["nodes"]}:
             data = moved(data, shifted)
-        self.take(data, words, drag, anew=anew, lost=lost)
+        self.take(data, words, drag, anew=anew, lost=lost, dimensions=dimensions)
         self._found = found
 
     def take(
         self, data: Data, words: str, drag: int | None = None, *, typed: str | None = None, model: Model | None = None,
-        anew: bool = False, lost: Data | None = None,
+        anew: bool = False, lost: Data | None = None, dimensions: Dimensions | None = None,
     ) -> None:  # fmt: skip
-        """Take new data as the next state. drag : steps with the same number are one."""
+        """Take new data as the next state. drag : steps with the same number are one. anew : as of `edit`."""
         merged = drag is not None and self.state.drag == drag
         before = self.past[-1] if merged else self.state
         last = None if anew or typed is not None else before.written
         lost = self.state.lost if lost is None else lost
-        self.put(State(data, typed, words, drag, last, before.folder, before.within, model, lost), merged=merged)
+        measured = () if anew else standing(before.dimensions if dimensions is None else dimensions, data)
+        self.put(State(data, typed, words, drag, last, before.folder, before.within, model, lost, measured), merged=merged)
+
+    def measure(self, dimensions: Dimensions) -> None:
+        """Other dimensions of the same drawing as the next state."""
+        self.put(replace(self.state, typed=self.state.text, last=None, words="the dimension", drag=None, dimensions=dimensions))
 
     def put(self, state: State, *, merged: bool = False) -> None:
         """A state as the next one, or in place of the present one."""
@@ -195,8 +217,7 @@ class Drawing:
 
     def retyped(self, text: str) -> None:
         """The present data in another text."""
-        state = self.state
-        self._show(State(state.data, text, state.words, state.drag, None, state.folder, state.within, state.model, state.lost))
+        self._show(replace(self.state, typed=text, last=None))
 
     def step(self, by: int) -> None:
         """Undo (-1) or redo (1) one step.
@@ -220,8 +241,10 @@ class Drawing:
         self._found = None
 
     def _show(self, state: State) -> None:
-        self.state, self._found = state, None
-        self.revision += 1
+        if state.data is not self.state.data:
+            self._found = None
+            self.revision += 1
+        self.state = state
 
     def _plain(self, data: Data) -> bool:
         """True if places of nodes alone differ between the model and that of the data: nothing is derived from them."""

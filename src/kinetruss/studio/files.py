@@ -17,6 +17,7 @@ from kinetruss.errors import InputError, StoreError
 from kinetruss.io import write
 from kinetruss.model import Model
 from kinetruss.results.folder import whole_file
+from kinetruss.studio.dimensions import Dimensions, read
 
 PLAIN = re.compile(r"[^\W.][\w .+-]{0,120}\.(yaml|yml|json)", re.IGNORECASE)
 DEVICE = re.compile(r"(con|prn|aux|nul|conin\$|conout\$|(com|lpt)[0-9\u00b9\u00b2\u00b3])[ .].*", re.IGNORECASE)
@@ -200,7 +201,7 @@ class Drafts:
             _remove(self.path(f"page-{key}.json"))
         return found[:PAGES]
 
-    # -- versions and the picture to trace -------------------------------------------------------------------------
+    # -- versions, the picture to trace, dimensions -------------------------------------------------------------------------
 
     def versions(self) -> list[dict[str, Any]]:
         """Saved states, oldest first: number, when (s since 1970), words, text."""
@@ -266,6 +267,20 @@ class Drafts:
         except (OSError, ValueError):
             return None
         return {"place": place, "source": source} if isinstance(place, dict) and source.startswith("data:image/") else None
+
+    def keep_dimensions(self, found: Dimensions, file: Path | None) -> None:
+        """Keep the dimensions of the drawing, also beside a saved file: its next studio looks for them there."""
+        with self.lock:
+            self._settle()
+            for name in {self.name} if file is None else {self.name, file.stem}:
+                if found:
+                    _write(self.path("dimensions.json", name), json.dumps(found, ensure_ascii=False))
+                else:
+                    _remove(self.path("dimensions.json", name))
+
+    def dimensions(self) -> Dimensions:
+        """Those that were kept."""
+        return read(_read(self.path("dimensions.json")))
 
     # -- files -----------------------------------------------------------------------------------------------------
 

@@ -21,10 +21,12 @@ PATIENCE = 20.0
 """Seconds of computation after which a motion is shown as far as it has got; they count once kernels are compiled."""
 
 
-def let_go(model: Model, position: Floats, held: bool, duration: float = TURN) -> tuple[dict[str, Any], dict[str, Floats]]:
+def let_go(
+    model: Model, position: Floats, held: bool, strength: bool = False, duration: float = TURN
+) -> tuple[dict[str, Any], dict[str, Floats]]:
     """The motion from rest in a closed pose (n_nodes, dim), m, for so long (s): as `sweeps.film`, with energies over time, J.
 
-    held : drives stay where they are; else they are free and give no force.
+    held : drives stay where they are; else they are free and give no force. strength : also the utilisation of members.
 
     Raises
     ------
@@ -51,8 +53,8 @@ def let_go(model: Model, position: Floats, held: bool, duration: float = TURN) -
     found = Swept(
         drives=tuple(map(str, motion["drive"].values)), values=motion["drive_position"].values, time=times,
         position=motion["position"].values, velocity=motion["velocity"].values, acceleration=motion["acceleration"].values,
-        here=0, whole=False, ends=("", end),
+        here=0, rate=0.0, whole=False, ends=("", end),
     )  # fmt: skip
-    header, arrays = packed(found, model, run.forces)
+    header, arrays = packed(found, model, run.forces, strength)
     energies = {name: run.data[name].values for name in ("kinetic_energy", "potential_energy")}
     return header | {"swept": [], "held": held}, arrays | energies

@@ -14,6 +14,7 @@ from pydantic import BaseModel, ConfigDict, Field, ValidationError, create_model
 from kinetruss.errors import InputError, KinetrussError, ModelError
 from kinetruss.model import nearest
 from kinetruss.studio import asked, beginnings, catalogue, copies, drawing, edits, sweeps
+from kinetruss.studio.dimensions import renamed, toggled
 from kinetruss.studio.member_kinds import switched
 from kinetruss.studio.new_parts import made, with_analysis
 from kinetruss.studio.requested_runs import Finite, FrameList, Name, Values
@@ -276,7 +277,8 @@ def make(
 def rename(session: Session, table: Name, old: Name, new: Name) -> Answer:
     """Another name for an entry of a table; what refers to it follows."""
     data = edits.renamed(session.data, table, old, new)
-    return session.take(data, f"renaming {old}", {"renamed": [old, new]})
+    measured = renamed(session.drawing.state.dimensions, table, old, new)
+    return session.take(data, f"renaming {old}", {"renamed": [old, new]}, dimensions=measured)
 
 
 @message
@@ -284,6 +286,16 @@ def delete(session: Session, nodes: Names = (), members: Names = ()) -> Answer:
     """Remove nodes and members, and what depends on them."""
     data, gone = edits.deleted(session.data, nodes, members)
     return session.take(data, f"deleting {_list([*nodes, *members])}", {"lost": gone})
+
+
+@message
+def dimension(session: Session, nodes: Names = (), members: Names = ()) -> Answer:
+    """A distance of two nodes, a length of a member or the angle of two, to be shown; the same again removes it."""
+    if not session.draw:
+        raise InputError("This message is for a drawing.")
+    session.drawing.measure(toggled(session.drawing.state.dimensions, session.data, nodes, members))
+    session.keep()
+    return session.shown()
 
 
 @message
@@ -347,25 +359,26 @@ def curve(session: Session, node: Name, drive: Name, low: Coordinate | None = No
 
 
 @message
-def sweep(session: Session, drives: Names, rate: Typed | None = None, at_speed: bool = False) -> Answer:
+def sweep(session: Session, drives: Names, rate: Typed | None = None, at_speed: bool = False, strength: bool = False) -> Answer:
     """Drives through their range, to be played: positions, forces and reactions of every sample.
 
     rate : of the first, rad/s or m/s or text with a unit. at_speed : with inertia at this rate; else every pose at rest.
+    strength : also how much of what is allowed every member uses.
     """
     if not session.draw:
         raise InputError("This message is for a drawing.")
-    return film_of(session, drives, rate, at_speed)
+    return film_of(session, drives, rate, at_speed, strength)
 
 
 @message
-def let_go(session: Session, held: bool = True) -> Answer:
+def let_go(session: Session, held: bool = True, strength: bool = False) -> Answer:
     """The motion from rest of what nothing holds, to be played: as `sweep`, with energies.
 
-    held : the drives stay where they are; else they are free.
+    held : the drives stay where they are; else they are free. strength : as of `sweep`.
     """
     if not session.draw:
         raise InputError("This message is for a drawing.")
-    return fall_of(session, held)
+    return fall_of(session, held, strength)
 
 
 @message
@@ -428,7 +441,7 @@ def sections(session: Session) -> Answer:
 @message
 def begin(session: Session, name: Name) -> Answer:
     """A copy of a drawing to begin with, in place of the drawing; it can be undone."""
-    return session.write(beginnings.starter(name)[1], f"beginning from {name}")
+    return session.write(beginnings.starter(name)[1], f"beginning from {name}", anew=True)
 
 
 @message

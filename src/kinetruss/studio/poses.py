@@ -21,14 +21,16 @@ from kinetruss.model import Active, LengthDrive, Model, Quintic, turns
 from kinetruss.results import Row
 from kinetruss.statics.search import row_errors
 from kinetruss.strength import check
+from kinetruss.strength.beam_verdict import beam_parts, chords_of
 from kinetruss.strength.findings import Finding, find
+from kinetruss.strength.verdict import strength_histories, worst_of
 from kinetruss.viewer.moving import moving
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray
 
     from kinetruss.mechanics import System
-    from kinetruss.results import Forces
+    from kinetruss.results import Forces, Verdict
 
     Pose = NDArray[np.float64]
 
@@ -339,7 +341,7 @@ def instant(model: Model, position: NDArray[np.float64], case: str | None, fine:
     fine = fine or len(model.members) <= MANY
     demand = _demand(model, forces) if fine and model.actuators else None
     mobility = str(kinematics.mobility(model, position)) if fine and len(model.members) <= LARGEST else None
-    finding = _finding(model, forces, demand or [])
+    finding = _finding(check(model, forces), demand or [])
     return Instant(
         forces=forces, arrays=arrays, demand=demand, mobility=mobility, alarms=_alarms(finding), verdict=finding.record
     )
@@ -354,17 +356,33 @@ def at_rest(model: Model, position: NDArray[np.float64], case: str | None = None
 
 def strength_of(model: Model, forces: Forces) -> tuple[list[str], dict[str, float]]:
     """Members and motors beyond a limit under the forces of one pose, in sentences; and the utilisation of each member that was
-    checked: the largest of all its rules that is a number.
+    checked.
     """
-    finding = _finding(model, forces, _demand(model, forces) if model.actuators else [])
-    used: dict[str, float] = {}
-    for row in finding.members:
-        if row.checked and math.isfinite(row.utilisation):
-            used[row.member] = max(used.get(row.member, 0.0), row.utilisation)
-    return _alarms(finding), used
+    verdict = check(model, forces)
+    finding = _finding(verdict, _demand(model, forces) if model.actuators else [])
+    used = _by_name(model, worst_of(model, verdict).get("utilisation"))
+    return _alarms(finding), {name: float(value) for name, value in used.items() if math.isfinite(value)}
 
 
-def _finding(model: Model, forces: Forces, demand: list[dict[str, Any]]) -> Finding:
+def used_over(model: Model, forces: Forces) -> dict[str, NDArray[np.float64]]:
+    """Utilisation (times,) of every bar, active member, beam and link: the largest of all its rules that is a number.
+
+    NaN where it was not checked; also where the rules that were ask for nothing and another one was not, for instance of a bar
+    in tension without a yield strength. Empty if nothing was checked.
+    """
+    return _by_name(model, strength_histories(model, forces).get("utilisation"))
+
+
+def _by_name(model: Model, values: NDArray[np.float64] | None) -> dict[str, NDArray[np.float64]]:
+    """Of values (..., members) those of every bar, active member, beam and link."""
+    if values is None:
+        return {}
+    at = {name: k for k, name in enumerate(model.whole.members)}
+    of = {name: name for name in (*model.bars, *model.active)} | {name: chords_of(model, name)[0] for name in beam_parts(model)}
+    return {name: values[..., at[part]] for name, part in of.items()}
+
+
+def _finding(verdict: Verdict, demand: list[dict[str, Any]]) -> Finding:
     """What a pose says: its members, and the share of the largest current that each motor takes to hold."""
     holding = []
     for one in demand:
@@ -377,7 +395,7 @@ def _finding(model: Model, forces: Forces, demand: list[dict[str, Any]]) -> Find
                 utilisation=used, margin=margin, time=math.nan,
             )  # fmt: skip
             holding.append(row)
-    return find(check(model, forces), holding, timed=False)
+    return find(verdict, holding, timed=False)
 
 
 def _alarms(finding: Finding) -> list[str]:

@@ -5,18 +5,19 @@ from __future__ import annotations
 import secrets
 import threading
 from collections.abc import Mapping, Sequence
+from dataclasses import replace
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
 from kinetruss.errors import InputError, KinetrussError, ModelError, StoreError
-from kinetruss.io.emitting import plain_model
 from kinetruss.io.writing import changed_text
 from kinetruss.model import Model, nearest, turns
 from kinetruss.studio import shown
+from kinetruss.studio.dimensions import Dimensions, standing
 from kinetruss.studio.dragging import Grip
-from kinetruss.studio.drawing import Drawing, State, fresh, model_of, read_text
+from kinetruss.studio.drawing import Drawing, State, model_of, opened, read_text
 from kinetruss.studio.edits import at_pose
 from kinetruss.studio.files import Drafts, FileThereError, Seen, save, seen_now
 from kinetruss.studio.poses import Instant, Reached, instant, posed, present_values, range_of, reach, stand, start_of
@@ -59,8 +60,7 @@ class Desk:
         self.lock = threading.Lock()
         self.results = results or Results()
         self.most = LARGE if draw else SMALL
-        self.original = self.saved = _opened(model, text, folder, dim, draw)
-        self.drawing = Drawing(self.original, dim if model is None else model.dim)
+        self.original = self.saved = opened(model, text, folder, dim, draw)
         self.case: str | None = None
         self.frames: Sequence[KeyFrame] = ()
         self.asked: tuple[Linkage, ...] = ()  # found for the last task
@@ -70,6 +70,11 @@ class Desk:
         self.offered = drafts.drawing() if drafts is not None and draw else None
         if self.offered is not None and self.offered[0] == self.original.text:
             self.offered = None
+        if drafts is not None and draw:
+            known, data = drafts.dimensions(), self.original.data
+            known = standing(known, data) if self.offered is None else known  # others may be those of the autosaved drawing
+            self.original = self.saved = replace(self.original, dimensions=known)
+        self.drawing = Drawing(self.original, dim if model is None else model.dim)
         if not draw:
             self._begin(key)
 
@@ -124,9 +129,9 @@ class Desk:
 
     def take(
         self, data: Data, words: str, made: Record | None = None, *, drag: int | None = None, anew: bool = False,
-        lost: Data | None = None, note: str = "",
+        lost: Data | None = None, note: str = "", dimensions: Dimensions | None = None,
     ) -> Answer:  # fmt: skip
-        """Take changed data as the next step; the answer of an edit. made : what it made. lost : as in `State`.
+        """Take changed data as the next step; the answer of an edit. made : what it made. lost, dimensions : as in `State`.
 
         Raises
         ------
@@ -135,7 +140,7 @@ class Desk:
         if not self.draw:
             self._pose = self._posed(data, words, drag, anew=anew, lost=lost)
         else:
-            self.drawing.edit(data, words, drag, anew=anew, lost=lost)
+            self.drawing.edit(data, words, drag, anew=anew, lost=lost, dimensions=dimensions)
             if drag is not None:
                 return shown.drawing_of(self, light=True)
         self.keep()
@@ -165,15 +170,18 @@ class Desk:
         instant(model, pose.position, self.case)
         return pose
 
-    def write(self, text: str, words: str, drag: int | None = None) -> Answer:
-        """Take the model of a text, a drawing even with faults; those for which it is not taken are the answer."""
+    def write(self, text: str, words: str, drag: int | None = None, *, anew: bool = False) -> Answer:
+        """Take the model of a text, a drawing even with faults; those for which it is not taken are the answer.
+
+        anew : it is another drawing.
+        """
         data, faults = read_text(text, self.folder or Path())
         if faults:
             return {"kind": "faults", "faults": shown.fault_rows(faults)}
         if data == self.data:
             self.drawing.retyped(text)
         elif self.draw:
-            self.drawing.take(data, words, drag, typed=text)
+            self.drawing.take(data, words, drag, typed=text, anew=anew)
         else:
             self._pose = self._posed(data, words, drag, typed=text)
         self.keep()
@@ -354,6 +362,7 @@ class Desk:
         self._put(None)
         if self.drafts is not None:
             self.drafts.copy_picture(path)
+            self.drafts.keep_dimensions(self.saved.dimensions, path)
         return shown.drawing_of(self) | {"saved": f"{words}."}
 
     def _to_save(self) -> Model:
@@ -361,6 +370,12 @@ class Desk:
         if model is None:
             raise InputError("A model with faults is not saved; it is kept beside the file. Mend the faults first.")
         return model
+
+    @property
+    def dirty(self) -> bool:
+        """Whether the file would be another one; dimensions are no part of it."""
+        state, saved = self.drawing.state, self.saved
+        return state is not saved and (state.data is not saved.data or state.text != saved.text)
 
     @property
     def lost(self) -> list[str]:
@@ -396,11 +411,14 @@ class Desk:
         if not self.draw:
             same = state is self.original and self.case is None and not self.frames and self._pose is self._start
             self._put(None if same else self._record())
-        elif self.drafts is not None and not (state is self.saved and self.offered is not None):
+            return
+        if self.drafts is not None and state.dimensions != self.drafts.dimensions():
+            self.drafts.keep_dimensions(state.dimensions, self.file)
+        if self.drafts is not None and (self.dirty or self.offered is None):
             if self.offered is not None:
                 self.drafts.add(self.offered[0], "left by an earlier studio")
                 self.offered = None
-            self._put(None if state is self.saved else state.text)
+            self._put(state.text if self.dirty else None)
 
     def _put(self, draft: Any) -> None:
         self.kept, self.unkept = True, ""
@@ -465,7 +483,8 @@ class Desk:
                 raise InputError("There is no autosaved drawing.")
             if keep:
                 return self.restore(offered[0], "the autosaved drawing")
-            self._put(None)
+            self.drawing.state = replace(self.drawing.state, dimensions=standing(self.drawing.state.dimensions, self.data))
+            self.keep()
             return self.shown()
         if self.drafts is None or not self.drafts.left:
             raise InputError("There are no changes of an earlier page.")
@@ -478,14 +497,3 @@ class Desk:
             self.keep()
         self.drafts.keep_page(key, None)
         return self.shown(self.remark)
-
-
-def _opened(model: Model | None, text: str, folder: Path | None, dim: int, draw: bool) -> State:
-    """The state of a model that was read, with its text if that is given and can be followed."""
-    if model is None:
-        return State(fresh(dim), folder=folder or Path())
-    if text:
-        data, faults = read_text(text, folder or Path(), within=False)
-        if not faults:
-            return State(data, text, folder=folder or Path(), within=draw, model=model)
-    return State(plain_model(model), model=model)

@@ -61,7 +61,6 @@ class Shown(Protocol):
     drafts: Drafts | None
     drawing: Drawing
     original: State
-    saved: State
     case: str | None
     frames: Sequence[KeyFrame]
     key: str
@@ -74,6 +73,9 @@ class Shown(Protocol):
 
     @property
     def pose(self) -> Reached: ...  # noqa: D102
+
+    @property
+    def dirty(self) -> bool: ...  # noqa: D102
 
     @property
     def lost(self) -> list[str]: ...  # noqa: D102
@@ -252,19 +254,18 @@ def drawing_of(session: Shown, light: bool = False) -> Record:
         "hints": loose_ends(places, known, slides),
         "pins": _pins(data, places, known, slides),
         "file": "" if session.file is None else session.file.name,
-        "dirty": drawing.state is not session.saved,
+        "dirty": session.dirty,
+        "dimensions": [{kind: list(names)} for kind, names in drawing.state.dimensions],
         "writable": session.folder is not None,
         "offered": session.offered is not None,
         **_history(drawing),
     }
 
 
-def film_of(session: Shown, drives: Sequence[str], rate: float | str | None, at_speed: bool) -> bytes:
+def film_of(session: Shown, drives: Sequence[str], rate: float | str | None, at_speed: bool, strength: bool) -> bytes:
     """A motion of drives through their range: names and words in the header, float32 arrays over time after it."""
     model, position = session.closed()
-    wanted = None
-    if rate is not None and drives:
-        wanted = float(parse(rate, "angular rate" if turns(model.all_drives.get(drives[0])) else "speed"))
+    wanted = None if rate is None or not drives else _rate(rate, turns(model.all_drives.get(drives[0])))
     forces = session.drawing.found.forces
     if bent := forces is not None and not np.array_equal(forces.motion.whole["position"].values[0], position):
         if at_speed:
@@ -272,12 +273,12 @@ def film_of(session: Shown, drives: Sequence[str], rate: float | str | None, at_
         found = sweeps.settled(sweeps.swept(model, position, drives, rate=wanted, samples=sweeps.FEWEST), model)
     else:
         found = sweeps.swept(model, position, drives, rate=wanted)
-    return _film(session, {"bent": bent}, *sweeps.film(found, model, at_speed))
+    return _film(session, {"bent": bent}, *sweeps.film(found, model, at_speed, strength))
 
 
-def fall_of(session: Shown, held: bool) -> bytes:
+def fall_of(session: Shown, held: bool, strength: bool) -> bytes:
     """The motion of a drawing that is let go, like that of its drives."""
-    return _film(session, {"bent": False}, *let_go(*session.closed(), held))
+    return _film(session, {"bent": False}, *let_go(*session.closed(), held, strength))
 
 
 def _film(session: Shown, told: Record, header: Record, arrays: Mapping[str, NDArray[np.float64]]) -> bytes:
@@ -285,6 +286,15 @@ def _film(session: Shown, told: Record, header: Record, arrays: Mapping[str, NDA
     table = {name: list(values.shape) for name, values in blocks.items()}
     header = {"kind": "sweep", "revision": session.drawing.revision, **told, **header, "arrays": table}
     return framed(header, *(values.tobytes() for values in blocks.values()))
+
+
+def _rate(given: float | str, turning: bool) -> float:
+    """A rate of a drive, rad/s or m/s."""
+    kind, example = ("an angular rate", "60 deg/s or 10 rpm") if turning else ("a speed", "50 mm/s or 0.1 m/s")
+    try:
+        return float(parse(given, kind.split(" ", 1)[1]))
+    except UnitError:
+        raise InputError(f"{given!r} is not {kind}. Write for example {example}.") from None
 
 
 EACH = 4

@@ -17,7 +17,7 @@ from kinetruss.mechanics import compile
 from kinetruss.model import ConstantRate, Model, nearest, turns
 from kinetruss.results import Status
 from kinetruss.results.user_parts import clamps
-from kinetruss.studio.poses import LEAST, number, range_of, reason
+from kinetruss.studio.poses import LEAST, number, range_of, reason, used_over
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray
@@ -51,8 +51,8 @@ class Swept:
     """Drives through their range, at constant rates.
 
     time (k,) s, increasing, 0 in the pose of the start, sample `here`; position, velocity, acceleration (k, n_nodes, dim) of
-    all nodes; values (k, drives) of those swept, m or rad. whole : a full turn, whose end is its start. ends : why it ends
-    before its first and after its last sample, or empty where the range does.
+    all nodes; values (k, drives) of those swept, m or rad. rate : of the first drive, rad/s or m/s. whole : a full turn, whose
+    end is its start. ends : why it ends before its first and after its last sample, or empty where the range does.
     """
 
     drives: tuple[str, ...]
@@ -62,6 +62,7 @@ class Swept:
     acceleration: Floats
     values: Floats
     here: int
+    rate: float
     whole: bool
     ends: tuple[str, str]
 
@@ -115,7 +116,7 @@ def swept(
     }
     names = list(system.drives)
     found["values"] = found.pop("drive_position")[:, [names.index(name) for name in drives]]
-    return Swept(drives=tuple(drives), here=len(before["time"]) - 1, whole=whole, ends=(down.why, up.why), **found)
+    return Swept(drives=tuple(drives), here=len(before["time"]) - 1, rate=rate, whole=whole, ends=(down.why, up.why), **found)
 
 
 def _range(model: Model, name: str, position: Floats, start: float) -> tuple[float, float]:
@@ -237,27 +238,31 @@ def settled(swept: Swept, model: Model) -> Swept:
 # What a page gets.
 
 
-def film(swept: Swept, model: Model, at_speed: bool = False) -> tuple[dict[str, Any], dict[str, Floats]]:
+def film(
+    swept: Swept, model: Model, at_speed: bool = False, strength: bool = False
+) -> tuple[dict[str, Any], dict[str, Floats]]:
     """What a page plays: names and words, and arrays over time: positions, forces, reactions.
 
-    at_speed : with the inertia of the motion at its rates; else every pose at rest.
+    at_speed : with the inertia of the motion at its rates; else every pose at rest. strength : also the utilisation of members.
     """
     still = np.zeros_like(swept.position)
     v, a = (swept.velocity, swept.acceleration) if at_speed else (still, still)
     motion = kinematics.from_arrays(model, swept.time, swept.position, v, a)
-    header, arrays = packed(swept, model, dynamics.inverse(model, motion, static=False))
+    header, arrays = packed(swept, model, dynamics.inverse(model, motion, static=False), strength)
     return header | {"at_speed": at_speed}, arrays
 
 
-def packed(swept: Swept, model: Model, forces: Forces) -> tuple[dict[str, Any], dict[str, Floats]]:
-    """A motion and its forces, as a page plays them."""
+def packed(swept: Swept, model: Model, forces: Forces, strength: bool) -> tuple[dict[str, Any], dict[str, Floats]]:
+    """A motion and its forces, as a page plays them; `strength` as of `film`."""
     arrays = forces.arrays
     names = [str(name) for name in arrays["drive"].values]
     moments = clamps(compile(model))
+    used = used_over(model, forces) if strength else {}
     header = {
         "drives": [{"name": name, "unit": "rad" if turns(model.all_drives[name]) else "m"} for name in names],
         "swept": list(swept.drives),
         "here": swept.here,
+        "rate": swept.rate,
         "whole": swept.whole,
         "ends": list(swept.ends),
         "nodes": list(model.nodes),
@@ -265,6 +270,7 @@ def packed(swept: Swept, model: Model, forces: Forces) -> tuple[dict[str, Any], 
         "supports": [str(name) for name in arrays["support"].values] if "support" in arrays else [],
         "moments": sorted(moments),
         "unsure": list(forces.attrs.get("not_unique", ())),
+        "judged": list(used) if strength else None,
     }
     kept = {
         "time": swept.time,
@@ -275,6 +281,7 @@ def packed(swept: Swept, model: Model, forces: Forces) -> tuple[dict[str, Any], 
             for name in ("member_force", "drive_force", "reaction", "reaction_moment")
             if name in arrays
         },
+        **({"used": np.stack(list(used.values()), axis=1)} if used else {}),
     }
     return header, kept
 

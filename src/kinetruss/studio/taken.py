@@ -24,17 +24,19 @@ if TYPE_CHECKING:
     from kinetruss.runs import RunResult
     from kinetruss.studio.edits import Data
 
-Form = Literal["yaml", "python", "svg", "png", "gif", "mp4", "page", "report"]
+Form = Literal["yaml", "python", "svg", "png", "pdf", "gif", "mp4", "page", "report", "paper"]
 
 MEDIA = {
     "yaml": ("yaml", "application/yaml"),
     "python": ("py", "text/x-python"),
     "svg": ("svg", "image/svg+xml"),
     "png": ("png", "image/png"),
+    "pdf": ("pdf", "application/pdf"),
     "gif": ("gif", "image/gif"),
     "mp4": ("mp4", "video/mp4"),
     "page": ("html", "text/html"),
     "report": ("html", "text/html"),
+    "paper": ("pdf", "application/pdf"),
 }
 """Form -> suffix of the file and its media type."""
 
@@ -76,7 +78,7 @@ def taken(
     """
     suffix, media = MEDIA[form]
     stem = re.sub(r"[^\w.-]+", "_", name) or "drawing"
-    stem = f"{stem}_report" if form == "report" else stem
+    stem = f"{stem}_report" if form in ("report", "paper") else stem
     if form == "yaml":
         content = text.encode()
     elif form == "python":
@@ -89,13 +91,18 @@ def taken(
 def _computed(form: Form, model: Model, run: str, name: str, progress: Callable[[int, int], None] | None) -> bytes:
     with TemporaryDirectory() as folder:
         path = Path(folder) / name
-        if form in ("svg", "png"):
+        if form in ("svg", "png", "pdf"):
             report.picture(model, path)
         elif form == "page":
             result = None if not run and not (model.runs or model.all_drives) else _result(model, run)
             viewer.write(model if result is None else result, path)
         elif form == "report":
             path.write_text(report.document_page(_result(model, run)).html, encoding="utf-8")
+        elif form == "paper":
+            written = report.write_document(_result(model, run), folder)
+            if written.paper is None:
+                raise InputError(written.note)
+            path = written.paper
         else:
             moving, camera = _moving(model, run), "top" if model.dim == 2 else "iso"
             loaded = any(np.nan_to_num(one.arrays["member_force"].values).any() for one in moving.forces.values())

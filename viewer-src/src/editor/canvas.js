@@ -107,8 +107,8 @@ export class Canvas {
     const forces = this.draw.stale ? null : state.force; // not those before an edit that is computed
     const sizes = (forces || []).filter((value) => value !== null).map(Math.abs);
     const { play } = this.draw, largest = (play.away && play.film.largest) || Math.max(...sizes, 0) || 1; // one scale for a whole motion
-    const used = this.draw.stale || play.away ? {} : state.used;
-    if (shown.strength) this.strengthLegend(used);
+    const used = this.draw.stale ? {} : state.used || {}; // null: it is computed
+    if (shown.strength) this.strengthLegend(used, state.used ? "not checked: it needs forces, sections and materials" : "it is computed");
     else this.legend.hidden = !shown.force || !sizes.some((value) => value > 0);
     if (!shown.strength && this.legend.dataset.of !== (this.legend.dataset.of = `${largest};${state.unsure.length}`)) fill(this.legend, el("b", {}, "Force"), el("div", { class: "bar", style: `background: ${gradient("diverging")}` }), el("div", { class: "ticks" }, el("span", {}, quantity(-largest, "N")), el("span", {}, "0"), el("span", {}, quantity(largest, "N"))), el("div", { class: "words" }, el("span", {}, "compression"), el("span", {}, "tension")),
       state.unsure.length ? el("div", {}, "?: not unique, in the colour of its kind") : null);
@@ -128,17 +128,17 @@ export class Canvas {
         bar.classList.toggle("soft", (kind === "elastic" && !this.coils.has(name)) || kind === "cable" || kind === "free");
       }
       if (!told && !picked.members.has(name)) return;
-      this.tags[k].textContent = shown.strength && name in used && !shown.lengths ? `${name} ${quantity(used[name], "%")}` : shown.lengths || this.touches(ends) ? `${name} ${spanOf(...ends.map((end) => this.draw.at(end)), state.dim)}` : shown.force && force !== null ? `${name} ${quantity(Math.abs(force) < 1e-12 * largest ? 0 : force, "N")}${sure ? "" : " ?"}` : name;
+      this.tags[k].textContent = shown.strength && name in used && !shown.lengths ? `${name} ${quantity(used[name], "%")}${unsure.has(name) ? " ?" : ""}` : shown.lengths || this.touches(ends) ? `${name} ${spanOf(...ends.map((end) => this.draw.at(end)), state.dim)}` : shown.force && force !== null ? `${name} ${quantity(Math.abs(force) < 1e-12 * largest ? 0 : force, "N")}${sure ? "" : " ?"}` : name;
     });
   }
 
-  strengthLegend(used) {
-    const known = Object.entries(used).sort((a, b) => b[1] - a[1]), key = `strength;${known[0]}`;
+  strengthLegend(used, nothing) {
+    const most = Object.entries(used).reduce((best, one) => (one[1] > best[1] ? one : best), ["", -1]), key = `strength;${most};${nothing}`;
     this.legend.hidden = false;
     if (this.legend.dataset.of === (this.legend.dataset.of = key)) return;
     fill(this.legend, el("b", {}, "Strength: share of what is allowed"), el("div", { class: "bar", style: `background: ${gradient("sequential")}` }), el("div", { class: "ticks" }, el("span", {}, "0"), el("span", {}, "50 %"), el("span", {}, "100 %")),
-      el("div", { class: "swatch" }, el("i", { style: `background: ${colour("capacity", 2, [0, 1])}` }), "beyond a limit"), el("div", { class: "swatch" }, el("i", { style: `background: ${colour("capacity", NaN, [0, 1])}` }), known.length ? "not checked" : "not checked: it needs forces, sections and materials"),
-      known.length ? el("div", { class: "words" }, `most: ${known[0][0]}, ${quantity(known[0][1], "%")}`) : null);
+      el("div", { class: "swatch" }, el("i", { style: `background: ${colour("capacity", 2, [0, 1])}` }), "beyond a limit"), el("div", { class: "swatch" }, el("i", { style: `background: ${colour("capacity", NaN, [0, 1])}` }), most[0] ? "not checked" : nothing),
+      most[0] ? el("div", { class: "words" }, `most: ${most[0]}, ${quantity(most[1], "%")}`) : null);
   }
 
   /** Whether a member ends at a node that is dragged. */

@@ -31,7 +31,7 @@ import { Whole } from "./whole.js";
 const OFTEN = 6; // moves of a drag after which the curve may follow
 const QUIET = new Set(["running"]); // asked again and again, beside what is drawn
 // what does not change the drawing; while anything else is computed, nothing is shown of the state before
-const ASIDE = { curve: "Computing the path ...", over: "Computing the diagram ...", sweep: "Computing the motion ...", run: "Starting the run ...", stop: "Stopping the run ...", ask: "Looking for linkages ...", starters: "Drawing the pictures ...", take: "Making the file ...", save: "Saving ...", keep: "Saving ...", versions: "Reading the versions ...", picture: "Saving the picture ..." };
+const ASIDE = { curve: "Computing the path ...", over: "Computing the diagram ...", sweep: "Computing the motion ...", let_go: "Computing the motion ...", run: "Starting the run ...", stop: "Stopping the run ...", ask: "Looking for linkages ...", starters: "Drawing the pictures ...", take: "Making the file ...", save: "Saving ...", keep: "Saving ...", versions: "Reading the versions ...", picture: "Saving the picture ...", dimension: "Saving the dimension ..." };
 
 export function startDraw(root) {
   const sheet = document.createElement("style");
@@ -45,7 +45,7 @@ export function startDraw(root) {
 export class Draw extends Talk {
   constructor(root) {
     super(root);
-    Object.assign(this, { state: null, tool: "bar", snap: true, closed: true, cursor: null, rubber: null, pointed: null, gripped: new Set(), several: false, moves: 0, stale: false, dimensions: new Set() });
+    Object.assign(this, { state: null, tool: "bar", snap: true, closed: true, cursor: null, rubber: null, pointed: null, gripped: new Set(), several: false, moves: 0, stale: false });
     this.picked = { nodes: new Set(), members: new Set() };
     this.shown = { names: true, force: true, strength: false, lengths: false };
     this.theme = root.dataset.theme || (matchMedia("(prefers-color-scheme: dark)").matches ? "dark" : "light");
@@ -189,7 +189,7 @@ export class Draw extends Talk {
     else if (answer.kind === "moved") this.place(answer);
     else if (answer.kind === "over") this.diagram.take(answer);
     else if (answer.kind === "curve") this.curves.take(answer);
-    else if (answer.kind === "error") this.refuse(answer.message);
+    else if (answer.kind === "error" && this.waiting?.command !== this.play.rate.trying) this.refuse(answer.message); // of a rate it is said beside it
     return answer.other || answer.choices;
   }
 

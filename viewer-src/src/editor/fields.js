@@ -12,14 +12,14 @@ export function typed(text) {
   return NUMBER.test(words) ? Number(words) : words;
 }
 
-/** A field with its label; `set` gets what was typed. */
+/** A field with its label; `set` gets what was typed, as a value and letter by letter. */
 export function field(label, value, set, { hint = "", size = 9, name = label } = {}) {
   const input = el("input", { type: "text", size, "aria-label": name, placeholder: hint, inputmode: "text", autocomplete: "off", spellcheck: "false" });
   input.dataset.size = size;
   showIn(input, value ?? "");
   const commit = () => {
     delete input.dataset.dirty;
-    set(typed(input.value));
+    set(typed(input.value), input.value.trim());
   };
   input.addEventListener("input", () => {
     input.dataset.dirty = "yes";

@@ -69,7 +69,7 @@ export class Hand {
     }
     if (draw.picture.placing) return draw.picture.click(place);
     const hit = draw.canvas.hit(place, touch);
-    if (!HANDS[draw.tool] && draw.play.away) return this.back();
+    if (this.draws && draw.play.away) return this.back();
     if (HANDS[draw.tool]) this.begin(hit, place, event);
     else if (draw.task.takes(draw.tool)) this.act = draw.task.begin(draw.tool, place, this.target(place, touch));
     else if (this.using) this.act = this.give(this.wanted(place, touch)) ? { kind: "give", start: place } : null;
@@ -243,6 +243,11 @@ export class Hand {
   get using() {
     const tool = TOOLS.get(this.draw.tool);
     return tool?.takes ? tool : null;
+  }
+
+  /** Whether the tool changes the drawing: that begins in the pose that is drawn. */
+  get draws() {
+    return !HANDS[this.draw.tool] && !this.using?.measures;
   }
 
   /** Whether a click with what is given is enough, though the tool would take more of a pull. */
@@ -447,9 +452,9 @@ export class Hand {
     const place = draw.camera.project(draw.cursor);
     const hit = draw.canvas.hit(place);
     const target = hit?.type === "node" ? { node: hit.name, point: draw.at(hit.name) } : { point: draw.cursor };
-    if (!HANDS[draw.tool] && draw.play.away) return this.back();
+    if (this.draws && draw.play.away) return this.back();
     if (this.using) {
-      if (this.give(this.wanted(place))) this.finish();
+      if (this.give(this.wanted(place)) && !(event.shiftKey && this.enough)) this.finish(); // with Shift more is to come, as of a pull
     } else if (draw.tool === "node") this.drawNode(target);
     else if (draw.tool === "bar") this.clickBar(target);
     else if (draw.task.takes(draw.tool)) draw.task.enter(draw.tool, target.point);

@@ -4,14 +4,16 @@ import { el, svg } from "../dom.js";
 import { number, quantity } from "../format.js";
 import { Player } from "../player.js";
 import { plot } from "../plot.js";
-import { TimeBar } from "../timebar.js";
-import { button, choice, field, refill } from "./fields.js";
+import { TimeBar, usualSpeed } from "../timebar.js";
+import { button, choice, refill } from "./fields.js";
 import { nextSteps } from "./next_steps.js";
+import { Rate, rateOf } from "./rate.js";
 import { usual } from "./sweep.js";
 
-const ALL = "all drives";
+const ALL = "all drives", FREE = "let go";
 const FEW_PATHS = 6; // moving nodes up to which all have their path, else those that are picked
 const SWINGS = 2; // bars whose swing is told
+const LISTED = 4; // members that are told by name
 const TOLD = 100; // ms between two changes of the numbers in the panel while it plays
 const NEAR_END = 0.01; // of all samples, within which the reason why it goes no further is marked
 const WAYS = { round: "Full turn", back: "There and back", once: "Once" };
@@ -19,7 +21,7 @@ const WAYS = { round: "Full turn", back: "There and back", once: "Once" };
 export class Play extends Player {
   constructor(draw) {
     super();
-    Object.assign(this, { draw, film: null, drawn: null, way: "round", chosen: "", atSpeed: false, rate: null, told: 0, touch: matchMedia("(hover: none)").matches });
+    Object.assign(this, { draw, film: null, drawn: null, way: "round", chosen: "", atSpeed: false, rate: new Rate(this), pace: null, told: 0, touch: matchMedia("(hover: none)").matches });
     this.controls = el("div", { class: "row" });
     this.aside = el("span", { class: "row", hidden: true }, button("Keep this pose", () => this.keep(), { title: "Draw the mechanism in the pose shown" }),
       button("Back", () => this.home(), { title: this.hint("Back to the pose that is drawn", "Escape"), "aria-label": "back to the drawn pose" }));
@@ -48,8 +50,19 @@ export class Play extends Player {
 
   // -- the motion --------------------------------------------------------------------------------------------------
 
+  /** Whether it moves by itself: nothing drives it, or what is driven leaves a mechanism. */
+  get falls() {
+    const { drives, mobility } = this.draw.state;
+    return this.chosen === FREE || !drives.length || mobility?.undriven > 0;
+  }
+
+  get movable() {
+    const { drives, mobility } = this.draw.state;
+    return Boolean(drives.length || mobility?.freedoms);
+  }
+
   get drives() {
-    const names = this.draw.state.drives.map(({ name }) => name);
+    const names = this.falls ? [] : this.draw.state.drives.map(({ name }) => name);
     return this.chosen === ALL ? names : [names.includes(this.chosen) ? this.chosen : names[0]].filter(Boolean);
   }
 
@@ -61,23 +74,65 @@ export class Play extends Player {
 
   /** Ask for the motion of the drives; false if there is none. */
   async load() {
-    const { draw, drives } = this;
-    if (!drives.length) return this.refuse("Nothing is driven yet.");
+    if (!this.movable) return this.refuse("Nothing is driven yet.");
+    const film = await this.ask(this.command(this.rate.good(this.unit)));
+    if (!this.isFilm(film)) return this.refuse(film.message || "");
+    this.show(film);
+    return true;
+  }
+
+  /** Unit of the first drive that moves. */
+  get unit() {
+    return this.draw.state.drives.find(({ name }) => name === this.drives[0])?.unit;
+  }
+
+  /** What is asked for, at a rate of the first drive; the strength where it is shown. */
+  command(rate) {
+    if (this.falls) return { do: "let_go", held: this.chosen !== FREE, strength: this.draw.shown.strength };
+    return { do: "sweep", drives: this.drives, rate: this.atSpeed ? rate : null, at_speed: this.atSpeed, strength: this.draw.shown.strength };
+  }
+
+  async ask(command) {
     this.awaited = true;
-    const film = await draw.ask({ do: "sweep", drives, rate: this.rate, at_speed: this.atSpeed });
+    const answer = await this.draw.ask(command);
     this.awaited = false;
-    if (film.kind !== "sweep" || film.revision !== draw.state.revision) return this.refuse(film.message || "");
-    const { value } = this, inside = this.node.contains(document.activeElement);
-    Object.assign(this, { film, key: "", failed: "" });
+    return answer;
+  }
+
+  isFilm(answer) {
+    return answer.kind === "sweep" && answer.revision === this.draw.state.revision;
+  }
+
+  /** Show a motion, at the place of the one before. */
+  show(film) {
+    const { value } = this, inside = this.node.contains(document.activeElement), before = this.film, home = before && !this.away;
+    Object.assign(this, { film, key: "", failed: "", index: film.here });
     film.number = this.loads = (this.loads || 0) + 1;
     this.setLead(film);
-    this.way = !film.whole && this.way === "round" ? "back" : film.whole && !this.asked ? "round" : this.way;
+    if (this.pace) Object.assign(this, { speed: this.pace, speeds: [...new Set([...this.speeds, this.pace])].sort((a, b) => a - b) });
+    this.way = film.falls ? "once" : !film.whole && this.way === "round" ? "back" : film.whole && !this.asked ? "round" : this.way;
     this.time = new TimeBar(this);
     this.rebuild();
-    this.goTo(value === undefined ? film.here : this.nearest(value));
+    if (home) this.time.update();
+    else this.goTo(value === undefined ? film.here : this.nearest(value));
+    if (this.playing) this.start();
+    this.judge();
+    if (before) return;
     this.reveal();
     if (inside) this.time.button.focus();
-    return true;
+  }
+
+  /** The strength is shown, or not any more: along a motion it is computed when it is asked for. */
+  judge() {
+    const { film } = this;
+    if (film && !film.judged && this.draw.shown.strength && !this.awaited) this.load();
+    this.say();
+  }
+
+  /** A speed that is chosen stays for the motions that follow. */
+  setSpeed(speed) {
+    this.pace = speed === usualSpeed(this.duration) ? null : speed;
+    super.setSpeed(speed);
   }
 
   /** Show all that moves, if a part of it goes out of sight. */
@@ -158,9 +213,10 @@ export class Play extends Player {
   spoil() {
     const { state } = this.draw;
     if (this.film?.revision === state.revision) {
-      const fields = this.film.shown(this.index, state);
-      if (this.away) this.drawn = Object.fromEntries(Object.keys(fields).map((name) => [name, state[name]]));
-      if (this.away) Object.assign(state, fields);
+      if (this.away) {
+        this.drawn = null;
+        this.goTo(this.index);
+      }
       if (this.going) this.toggle();
       this.going = false;
       return;
@@ -203,15 +259,16 @@ export class Play extends Player {
       if (playing && film) return this.toggle();
       return film ? this.load() : this.rebuild();
     };
-    const bar = film ? this.time.node : button("▶ Play", () => this.toggle(), { class: "play", title: this.hint("Play: the drives go through their range", "space"), disabled: !names.length });
-    const drive = names.length > 1 ? choice("Drive", [...names, ALL], this.chosen || names[0], (chosen) => other({ chosen, value: undefined }), "drive that moves") : null;
+    const bar = film ? this.time.node : button("▶ Play", () => this.toggle(), { class: "play", title: this.hint("Play: the drives go through their range", "space"), disabled: !this.movable });
+    const moves = state.mobility?.undriven ? [["", "hold still"]] : [...names, ...(names.length > 1 ? [ALL] : [])];
+    const drive = names.length ? choice("Drive", [...moves, FREE], this.chosen || moves[0], (chosen) => other({ chosen, value: undefined }), "drive that moves") : null;
     const ways = Object.entries(WAYS).filter(([way]) => film?.whole || way !== "round");
-    const way = film ? choice("Way", ways, this.way, (chosen) => { this.asked = true; this.setWay(chosen); }, "way through the range") : null;
-    const inertia = film && !film.bent ? choice("Forces", [["", "at rest"], ["on", "at speed"]], this.atSpeed ? "on" : "", (on) => other({ atSpeed: Boolean(on) }), "forces while it moves") : null;
-    const turning = film?.drives[film.lead].unit === "rad";
-    const rate = film && this.atSpeed ? field("Rate", this.rate ?? (turning ? "60 deg/s" : ""), (typed) => other({ rate: typeof typed === "number" ? `${typed} ${turning ? "deg/s" : "m/s"}` : typed }), { hint: turning ? "60 deg/s" : "m/s", size: 8, name: "rate of the drive" }) : null;
-    refill(this.controls, bar, drive, way, inertia, rate, this.aside);
+    const way = film && !film.falls ? choice("Way", ways, this.way, (chosen) => { this.asked = true; this.setWay(chosen); }, "way through the range") : null;
+    const speed = film ? el("label", { class: "entry" }, el("span", {}, "Speed"), this.time.speed) : null;
+    const inertia = (film ? !film.bent && !film.falls : this.atSpeed) ? choice("Forces", [["", "at rest"], ["on", "at speed"]], this.atSpeed ? "on" : "", (on) => other({ atSpeed: Boolean(on) }), "forces while it moves") : null;
+    refill(this.controls, bar, speed, drive, way, inertia, film && this.atSpeed ? this.rate.node(film) : null, this.aside);
     this.aside.hidden = !this.away;
+    this.aside.firstChild.hidden = Boolean(film?.falls); // its pose is not that of drive values
     if (film) this.graph.before(this.words);
     else this.controls.append(this.words); // beside the button: the picture keeps its size
     this.graph.hidden = !film;
@@ -222,7 +279,7 @@ export class Play extends Player {
   /** Words below the bar: what it needs, why it goes no further, how far it swings. */
   say() {
     const { film, draw } = this, { state } = draw;
-    const key = [state.revision, film?.number, film && this.ended(), this.limit, this.failed].join();
+    const key = [state.revision, film?.number, film && this.ended(), this.limit, this.failed, film && this.unjudged(), draw.shown.strength].join();
     if (key === this.saidOf) return; // a button that is pressed stays
     this.saidOf = key;
     if (film) return refill(this.words, ...this.found());
@@ -245,10 +302,31 @@ export class Play extends Player {
     });
     const held = Array.from({ length: film.frames }, (_, k) => Math.abs(film.held(k)));
     const most = held.reduce((best, size, k) => (size <= this.limit * (1 + 1e-6) && size > (held[best] ?? 0) ? k : best), -1);
-    const { unit } = film.drives[film.lead];
+    const { unit } = film;
     const torque = held[most] > 0 ? ` Largest ${unit === "rad" ? "torque" : "force"}${this.cut ? " away from the dead point" : ""} ${quantity(held[most], unit === "rad" ? "N m" : "N")} at ${quantity(film.value(most), unit)}.` : "";
+    const speed = film.at_speed ? `${film.swept[0]} at ${rateOf(film.rate, unit)}. ` : "";
+    if (film.falls) spans.push(`Let go from rest${film.held && film.drives.length ? ", the drives hold still" : ""}; ${quantity(film.time.at(-1), "s")}`);
     const bent = film.bent ? "Parts that bend or stretch are in equilibrium, at rest. " : "";
-    return [...ends, el("span", {}, `${bent}${spans.slice(0, 3).join("; ")}.${torque} ${this.swings().join(" ")} `), nextSteps(this.draw, this)];
+    return [...ends, el("span", {}, `${bent}${speed}${spans.slice(0, 3).join("; ")}.${torque} ${this.swings().join(" ")} `), this.strength(), nextSteps(this.draw, this)];
+  }
+
+  /** Members that are checked in other poses and not in the one shown. */
+  unjudged() {
+    const { film, draw, index } = this;
+    if (!draw.shown.strength || !film.judged) return [];
+    const used = film.used(index);
+    return film.judged.filter((name) => !(name in used) && !film.never.includes(name));
+  }
+
+  /** The largest utilisation along the motion, and what was not checked. */
+  strength() {
+    const { film, draw } = this, { most, never } = film;
+    if (!draw.shown.strength || !film.judged) return null;
+    if (!most) return el("span", {}, "Strength is not checked: it needs sections and materials. ");
+    const some = (names) => `${names.slice(0, LISTED).join(", ")}${names.length > LISTED ? ` and ${names.length - LISTED} more` : ""}`, here = this.unjudged();
+    const unsure = film.unsure.length ? `Not unique: the forces of ${some(film.unsure)}, and so their strength. ` : "";
+    return el("span", { class: most.value > 1 ? "here" : "" }, `Strength: at most ${quantity(most.value, "%")} of what is allowed, of ${most.member} at ${this.placeOf(most.sample)}. `,
+      never.length ? `Not checked: ${some(never)}. ` : "", here.length ? `Not checked in this pose: ${some(here)}. ` : "", unsure);
   }
 
   /** How far bars swing that have one held end and are not driven. */
@@ -264,17 +342,23 @@ export class Play extends Player {
     });
   }
 
+  /** Where a sample is: the value of the first drive, or the time. */
+  placeOf(k) {
+    const { film } = this;
+    return `${film.falls ? "" : `${film.swept[0]} `}${quantity(film.value(k), film.unit)}`;
+  }
+
   /** What the bar tells beside its slider. */
   said() {
     const { film } = this;
-    return film.swept.length === 1 ? `${film.swept[0]} ${quantity(film.value(this.index), film.drives[film.lead].unit)}` : `${number((100 * this.index) / (film.frames - 1), 3)} %`;
+    return film.swept.length < 2 ? this.placeOf(this.index) : `${number((100 * this.index) / (film.frames - 1), 3)} %`;
   }
 
   /** What holds or moves the drive along its range. */
   curve() {
     const { film } = this;
     if (!film || this.graph.hidden || !this.graph.clientWidth) return;
-    const { unit } = film.drives[film.lead], turning = unit === "rad", single = film.swept.length === 1;
+    const { unit } = film, turning = unit === "rad", single = film.swept.length === 1;
     const x = (k) => (single ? film.value(k) * (turning ? 180 / Math.PI : 1) : film.time[k] - film.time[0]);
     this.order = Array.from({ length: film.frames }, (_, k) => k).sort((a, b) => x(a) - x(b));
     this.xs = this.order.map(x);
@@ -283,8 +367,9 @@ export class Play extends Player {
     this.limit = Math.max(...largest);
     this.cut = shown.some(({ d }, i) => Array.from({ length: film.frames }, (_, k) => Math.abs(film.held(k, d))).some((size) => size > largest[i] * (1 + 1e-6)));
     const curves = shown.map(({ name, d }, i) => ({ x: this.xs, y: this.order.map((k) => (Math.abs(film.held(k, d)) > largest[i] * (1 + 1e-6) ? NaN : film.held(k, d))), label: name }));
-    const what = turning ? "torque" : "force";
-    this.frame = plot(this.canvas, curves, { unit: turning ? "N m" : "N", xUnit: single ? (turning ? "deg" : "m") : "s", title: this.atSpeed ? `driving ${what}` : `holding ${what}` });
+    const what = turning ? "torque" : "force", energies = () => ["kinetic", "potential"].map((label) => ({ x: this.xs, y: film.above(`${label}_energy`), label }));
+    if (film.falls) this.frame = plot(this.canvas, energies(), { unit: "J", xUnit: "s", title: "energy" });
+    else this.frame = plot(this.canvas, curves, { unit: turning ? "N m" : "N", xUnit: single ? (turning ? "deg" : "m") : "s", title: this.atSpeed ? `driving ${what}` : `holding ${what}` });
     this.place = x;
     this.mark();
     this.say();

@@ -45,6 +45,7 @@ export class ToolRail {
     if (other && shown[name]) shown[other] = false; // a bar has one colour
     this.draw.canvas.update();
     this.rebuild();
+    this.draw.play.judge();
   }
 
   toggleSnap() {
@@ -142,6 +143,7 @@ export class ToolRail {
     else if (key === "Delete" || key === "Backspace") draw.remove();
     else if (key === "Escape") draw.tools.escape();
     else if (key === " " && !target.closest("button, a, summary")) draw.play.toggle();
+    else if ((key === "+" || key === "-") && draw.play.film) draw.play.faster(key === "+" ? 1 : -1);
     else if (key === "f") draw.fit();
     else if (key === "a") this.toggle("names");
     else if (key === "c") this.toggle("force");

@@ -33,7 +33,22 @@ export class Sweep {
     this.extent = { size: Math.hypot(...high.map((value, i) => value - low[i])) };
     this.moving = movingNodes(this);
     this.largest = usual(Array.from({ length: this.frames }, (_, k) => Math.max(0, ...this.row("member_force", k).map(Math.abs).filter(Number.isFinite))));
+    this.judge();
     this.lead = this.drives.findIndex(({ name }) => name === this.swept[0]);
+  }
+
+  /** The largest utilisation, and members that are checked in no pose. */
+  judge() {
+    const { data } = this.arrays.used || { data: [] }, count = this.judged?.length;
+    this.most = data.reduce((best, value, k) => (value > (best?.value ?? -1) ? { value, member: this.judged[k % count], sample: Math.floor(k / count) } : best), null);
+    this.never = (this.judged || []).filter((_, i) => Array.from({ length: this.frames }, (_, k) => data[k * count + i]).every(Number.isNaN));
+  }
+
+  /** Utilisation of each member that is checked at a sample; null if the strength was not asked for. */
+  used(k) {
+    if (!this.judged) return null;
+    const row = this.judged.length ? this.row("used", k) : [];
+    return Object.fromEntries(this.judged.map((name, i) => [name, row[i]]).filter(([, value]) => Number.isFinite(value)));
   }
 
   /** The values of a sample of an array, as one row. */
@@ -42,19 +57,35 @@ export class Sweep {
     return Array.from(data.subarray(k * size, (k + 1) * size));
   }
 
+  /** A history above its least value. */
+  above(name) {
+    const { data } = this.arrays[name], least = data.reduce((a, b) => Math.min(a, b));
+    return Array.from(data, (value) => value - least);
+  }
+
   position(k, node) {
     const { data } = this.arrays.position, at = (k * this.nodes.length + node) * this.dim;
     return [data[at], data[at + 1], this.dim === 3 ? data[at + 2] : 0];
   }
 
-  /** The value of a drive; after whole turns as an angle from 0. */
+  /** Whether it moves by itself and not by its drives: then it is told along time. */
+  get falls() {
+    return !this.swept.length;
+  }
+
+  get unit() {
+    return this.falls ? "s" : this.drives[this.lead].unit;
+  }
+
+  /** The value of a drive, after whole turns as an angle from 0; without one the time. */
   value(k, drive = this.lead) {
+    if (drive < 0) return this.time[k];
     const value = this.arrays.drive_position.data[k * this.drives.length + drive];
     return this.whole && this.drives[drive].unit === "rad" ? ((value % TURN) + TURN) % TURN : value;
   }
 
   held(k, drive = this.lead) {
-    return this.arrays.drive_force.data[k * this.drives.length + drive];
+    return drive < 0 ? NaN : this.arrays.drive_force.data[k * this.drives.length + drive];
   }
 
   /** The fields of the state of a drawing that a sample changes. */
@@ -76,6 +107,7 @@ export class Sweep {
         return { ...one, value: this.value(k, d), force: finite(this.held(k, d)) };
       }),
       unsure: this.unsure,
+      used: this.used(k),
     };
   }
 

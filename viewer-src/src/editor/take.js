@@ -5,10 +5,10 @@ import { button, choice, refill } from "./fields.js";
 
 const AGAIN = 300; // ms between questions how far a file is
 const FORMS = [
-  ["Picture", [["png", "PNG", "A picture of the drawing, 300 dots per inch"], ["svg", "SVG", "A picture of the drawing as lines and text, for print"]]],
+  ["Picture", [["png", "PNG", "A picture of the drawing, 300 dots per inch"], ["svg", "SVG", "A picture of the drawing as lines and text, for print"], ["pdf", "PDF", "The same picture on a sheet of its size"]]],
   ["Motion", [["gif", "GIF", "A film that plays everywhere (needs Chromium)"], ["mp4", "MP4", "A film (needs Chromium and ffmpeg)"], ["page", "Page", "One file that plays in any browser, without a network"]]],
   ["Model", [["yaml", "YAML", "The model file"], ["python", "Python", "The model as Python code"]]],
-  ["Result", [["report", "Report", "A report for a reviewer, one file"]]],
+  ["Result", [["report", "Report", "A report for a reviewer, one file"], ["paper", "Report as PDF", "The report printed (needs Chromium)"]]],
 ];
 
 export class Take {
@@ -44,7 +44,7 @@ export class Take {
   }
 
   progress({ done, total, note }) {
-    const words = `Making the ${this.doing.toUpperCase()}${total ? `: ${done} of ${total} pictures` : " ..."}${note ? `. ${note}` : ""}`;
+    const name = FORMS.flatMap(([, forms]) => forms).find(([form]) => form === this.doing)[1], words = `Making the ${name}${total ? `: ${done} of ${total} pictures` : " ..."}${note ? `. ${note}` : ""}`;
     this.note.replaceChildren(el("div", { class: "row doing" }, el("span", { "aria-live": "off" }, words), el("progress", { max: total || 1, ...(done ? { value: done } : {}) }), button("Stop", () => this.draw.ask({ do: "stop" }), { "aria-label": "stop making the file" })));
   }
 
