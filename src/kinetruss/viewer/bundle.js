@@ -4256,8 +4256,9 @@ ${i.vertexShader}`.replace("#include <project_vertex>",`#include <project_vertex
 #kinetruss .motion .row > * { min-height: 44px; }
 #kinetruss .motion button, #kinetruss .motion select, #kinetruss .motion input[type="text"] { min-height: 44px; min-width: 44px; font: inherit; }
 #kinetruss .motion input[type="text"] { color: inherit; background: var(--card); border: 1px solid var(--line); border-radius: 5px; padding: 2px 6px; }
-.motion .timebar { flex: 1 1 320px; min-width: 0; padding: 0; border: 0; }
+.motion .timebar { flex: 1 1 320px; min-width: min(100%, 320px); padding: 0; border: 0; }
 .motion .timebar .time { min-width: 112px; }
+.motion .timebar input { min-width: 120px; }
 .motion .row .words { flex: 1 1 240px; }
 .motion .words:empty { display: none; }
 .motion .words { margin: 2px 0; font-variant-numeric: tabular-nums; }
