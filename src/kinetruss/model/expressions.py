@@ -68,10 +68,19 @@ class Kind(NamedTuple):
         return Kind(self.vector, *(power * one for one in self[1:]))
 
 
+class Frequency(Kind):
+    """1/s that are cycles in a second: in Hz, until they are multiplied by something, such as 2 pi."""
+
+    @property
+    def unit(self) -> str:
+        """Hz."""
+        return "Hz"
+
+
 def in_unit(text: str, vector: bool = False) -> Kind:
     """The kind of what is measured in a unit."""
     mass, length, time, current, turn = map(Fraction, dimension_of(text))
-    return Kind(vector, length, time, turn, mass, current)
+    return (Frequency if text == "Hz" else Kind)(vector, length, time, turn, mass, current)
 
 
 NUMBER, LENGTH, ANGLE = Kind(), Kind(length=Fraction(1)), Kind(turn=Fraction(1))
