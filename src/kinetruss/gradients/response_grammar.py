@@ -17,7 +17,7 @@ import numpy as np
 
 from kinetruss.errors import few
 from kinetruss.model import nearest
-from kinetruss.model.expressions import CONSTANTS, FORCE_UNITS, NUMBER, Frequency, Kind, in_unit, same_unit
+from kinetruss.model.expression_kinds import CONSTANTS, FORCE_UNITS, NUMBER, Frequency, Kind, in_unit, same_unit
 from kinetruss.model.measured_forces import ExpressionError
 
 if TYPE_CHECKING:

@@ -20,19 +20,8 @@ from kinetruss.kinematics.turns import Passed, refined
 from kinetruss.mechanics import compile
 from kinetruss.mechanics.measure_arrays import terms_of
 from kinetruss.mechanics.measures import terms_sum
-from kinetruss.model.expressions import (
-    AXES,
-    CONSTANTS,
-    FORCE_UNITS,
-    FUNCTIONS,
-    Kind,
-    Tree,
-    forces_in,
-    function_of,
-    kind_of,
-    looked_up,
-    read_expression,
-)
+from kinetruss.model.expression_kinds import AXES, CONSTANTS, FORCE_UNITS, FUNCTIONS, Kind, function_of
+from kinetruss.model.expressions import Tree, forces_in, kind_of, looked_up, read_expression
 from kinetruss.model.measured_forces import ExpressionError
 from kinetruss.model.quantities import kinds_of
 from kinetruss.results import Column, Motion, Simulation, variable
