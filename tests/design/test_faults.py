@@ -168,7 +168,7 @@ def test_all_faults_of_a_mission_at_once(tmp_path):
          "emf_constant: 0.04 V s/rad, max_speed: 3000}", "3:16: motors.m.inertia: 1e-6 has no unit."),
         ("tubes: [", "2:1: model: is not YAML: did not find expected node content"),
         ("[]", "1:1: model: is not a table of names."),
-        ("", "1:1: model: is not a table of names."),
+        ("", "1:1: model: is empty. Start with title and source"),
     ],
 )  # fmt: skip
 def test_faults_of_a_catalogue(text, said, tmp_path):

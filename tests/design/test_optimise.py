@@ -66,6 +66,22 @@ def test_a_strut_has_the_diameter_of_eulers_load():
     assert found.certificate.first_order
 
 
+def test_a_limit_on_a_frequency_is_in_hertz():
+    """f = sqrt(k/m)/(2 pi): the least stiffness for 3 cycles in a second."""
+    hanging = kt.Model(
+        nodes={"O": (0, 0), "A": kt.Node(at=(0, -1), mass=2.0)}, fixed={"O": "xy", "A": "x"},
+        bars={"rod": kt.Bar(ends=("O", "A"), mass=0, kind="elastic", stiffness=200.0)},
+    )  # fmt: skip
+    wanted = {"stiffness": {"of": "bars.rod.stiffness", "between": ("100 N/m", "10 kN/m")}}
+    limits = {"first": {"of": "frequency[1]", "at_least": "3 Hz", "analysis": "flexible.frequencies"}}
+    found = kt.design.optimise(hanging, wanted, "stiffness", limits)
+    assert found.values["stiffness"] == pytest.approx(2.0 * (2 * math.pi * 3.0) ** 2, rel=1e-6)
+    assert [one.unit for one in found.limits] == ["Hz"]
+    assert active_words(found.active[0], found.unit).startswith("first reaches 3 Hz; 1 % less would save ")
+    for text, unit in (("max(frequency)", "Hz"), ("2*pi*frequency[1]", "1/s"), ("frequency[1] + 1/s", "1/s")):
+        assert kt.Response(text, kt.flexible.frequencies, hanging).unit == unit
+
+
 def test_a_node_is_moved_to_the_least_weight():
     """Two bars of one area to a load at a fixed depth: the least length of both is straight above it."""
     pair = kt.Model(

@@ -6,7 +6,7 @@ from hypothesis import given, settings, strategies as st
 
 import kinetruss as kt
 from kinetruss.mechanics import compile, null_space as _null_space
-from kinetruss.mechanics.mobility import moves_text, ranked
+from kinetruss.mechanics.mode_texts import moves_text, ranked
 from kinetruss.mechanics.null_space import tidy
 
 COUNTS = ("rank", "degrees_of_freedom", "undriven", "self_stress")

@@ -14,6 +14,13 @@ from kinetruss.errors import InputError, ModelError
 if TYPE_CHECKING:
     from kinetruss.model import Model
 
+run_option = click.option(
+    "--run", "name", metavar="RUN", shell_complete=completing.runs,
+    help="A run of the model (may be omitted if there is only one).",
+)  # fmt: skip
+case_of_run = click.option(
+    "--case", metavar="CASE", shell_complete=completing.cases, help="Load case (default: the run's first)."
+)
 
 CHECK_EXAMPLE = """\b
 Example:
@@ -79,17 +86,11 @@ Examples:
 )
 @click.option("--node", shell_complete=completing.nodes, help="Cut this node free.")
 @click.option("--system", is_flag=True, help="The equations of Newton and Euler of the whole model, with names.")
-@click.option(
-    "--run",
-    "name",
-    metavar="RUN",
-    shell_complete=completing.runs,
-    help="A run of the model (may be omitted if there is only one).",
-)
+@run_option
 @click.option(
     "--time", metavar="TIME", callback=instant, help="The instant, s, or text such as '250 ms' (default: of the largest force)."
 )
-@click.option("--case", metavar="CASE", shell_complete=completing.cases, help="Load case (default: the run's first).")
+@case_of_run
 @click.option("--rest", is_flag=True, help="The same pose at rest.")
 @click.option("--rods", type=click.Choice(["together", "apart"]), help="With --system: base and tube as one body, or as two.")
 @click.option("--csv", "file", type=click.Path(dir_okay=False, path_type=Path), help="Also write the table to this file.")

@@ -49,7 +49,7 @@ def compile_kernels(as_json: bool, rare: bool, quiet: bool) -> None:
 
     began = time.perf_counter()
     with bar(quiet or as_json or not sys.stderr.isatty(), "kernels", kernels=False) as seen:
-        shown = seen or (_silent if quiet or as_json else _lines())
+        shown = seen or ((lambda _done, _total: None) if quiet or as_json else _lines())
         try:
             with _counted(shown) as (compiled, look), warnings.catch_warnings():
                 warnings.simplefilter("error", KernelCacheWarning)
@@ -141,10 +141,6 @@ def _counted(shown: Callable[[int, None], None]) -> Iterator[tuple[set[str], Cal
 
     with heard(Counter()):
         yield compiled, look
-
-
-def _silent(_done: int, _total: None) -> None:
-    pass
 
 
 def _lines() -> Callable[[int, None], None]:

@@ -19,6 +19,11 @@ Examples:
   kinetruss picture runs/frame -o moments.pdf --show M
 """
 
+paths_option = click.option(
+    "--path", "paths", multiple=True, metavar="NODE", shell_complete=completing.nodes,
+    help="Draw the path of a node (may be given several times).",
+)  # fmt: skip
+
 
 def instants(ctx: click.Context, option: click.Parameter, texts: tuple[str, ...]) -> list[float]:
     """Seconds from several texts."""
@@ -75,14 +80,7 @@ def width(_ctx: click.Context, _option: click.Parameter, text: str | None) -> st
     help="iso, front, side or top.",
 )
 @click.option("--ghost", is_flag=True, help="The start pose in grey.")
-@click.option(
-    "--path",
-    "paths",
-    multiple=True,
-    metavar="NODE",
-    shell_complete=completing.nodes,
-    help="Draw the path of a node (may be given several times).",
-)
+@paths_option
 @click.option("--no-loads", is_flag=True, help="Without arrows of loads.")
 @click.option("--names/--no-names", default=None, help="Names of nodes (default: up to 24 nodes).")
 @click.option("--title", default="", help="A title above; journals use a caption instead.")
@@ -182,14 +180,7 @@ def _camera(_ctx: click.Context, _option: click.Parameter, text: str) -> str | t
 @click.option("--case", shell_complete=completing.cases, help="Load case (default: the first).")
 @click.option("--mode", type=click.IntRange(min=1), help="For a model: its vibration mode with this number.")
 @click.option("--ghost", is_flag=True, help="The start pose as thin lines.")
-@click.option(
-    "--path",
-    "paths",
-    multiple=True,
-    metavar="NODE",
-    shell_complete=completing.nodes,
-    help="Draw the path of a node (may be given several times).",
-)
+@paths_option
 @click.option(
     "--faces/--no-faces", default=None, help="Triangles of rigid bars as faces (default: if no member has a section)."
 )

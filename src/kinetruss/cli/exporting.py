@@ -10,7 +10,7 @@ import click
 
 from kinetruss.cli import completing
 from kinetruss.cli.arguments import opened_run
-from kinetruss.cli.checking import model_and_run
+from kinetruss.cli.checking import case_of_run, model_and_run, run_option
 from kinetruss.cli.common import FILE, HELP, PLACE, Verb, instant, json_option, max_size_option, print_json
 from kinetruss.errors import InputError
 
@@ -104,14 +104,8 @@ Examples:
     cls=Verb, context_settings=HELP, epilog=GAUGES_EXAMPLE, short_help="Readings of strain gauges along a run, in microstrain."
 )
 @click.argument("model", metavar="MODEL|OUT", type=FILE)
-@click.option(
-    "--run",
-    "name",
-    metavar="RUN",
-    shell_complete=completing.runs,
-    help="A run of the model (may be omitted if there is only one).",
-)
-@click.option("--case", metavar="CASE", shell_complete=completing.cases, help="Load case (default: the run's first).")
+@run_option
+@case_of_run
 @click.option(
     "--measured",
     type=click.Path(path_type=Path),

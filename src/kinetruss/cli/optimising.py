@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from pathlib import Path
-from typing import Any
 
 import click
 
@@ -46,8 +45,9 @@ def optimise(task: Path, out: Path | None, overwrite: bool, as_json: bool, quiet
     model = model_for(asked, asked.model, max_size)
 
     with bar(quiet or as_json, "analyses") as shown:
+        progress = None if shown is None else lambda analyses, _objective, _worst: shown(analyses, None)
         try:
-            found = design.optimise(model, asked.with_(set={}), out=out, overwrite=overwrite, progress=_progress(shown))
+            found = design.optimise(model, asked.with_(set={}), out=out, overwrite=overwrite, progress=progress)
         except ModelError as error:
             raise ModelError(placed_in(task, error.faults), str(task)) from None
     if as_json:
@@ -60,7 +60,3 @@ def optimise(task: Path, out: Path | None, overwrite: bool, as_json: bool, quiet
                 click.echo(f"With parts of the catalogues it is in {out / 'listed.yaml'}.")
     if not found.certified:
         raise click.exceptions.Exit(1)
-
-
-def _progress(shown: Any) -> Any:
-    return None if shown is None else lambda analyses, objective, worst: shown(analyses, None)  # noqa: ARG005

@@ -211,11 +211,8 @@ def _refuse(function: ModelFunction, asked: Evaluations) -> None:
     if not kept:
         found = optimum(asked, nearest, "slsqp", function.task.iterations, function.task.tolerance)
         if found.certificate.feasible:
-            at = _given(function, nearest)
+            values = zip(function.problem.variables, nearest, strict=True)
+            at = ", ".join(f"{one.name}: {value:.4g}" for one, value in values)
             raise AnalysisError(f"The search lost its way, but limits can be kept. Start it nearer, for example at {at}.")
         raise AnalysisError("The search did not end at a point that keeps all limits. Give other starts, or wider bounds.")
     raise InfeasibleError(contradiction_words(function, kept, nearest, worst))
-
-
-def _given(function: ModelFunction, p: NDArray[np.float64]) -> str:
-    return ", ".join(f"{one.name}: {value:.4g}" for one, value in zip(function.problem.variables, p, strict=True))

@@ -78,7 +78,8 @@ def opened(
     InputError : another task's folder (without `overwrite`), or one that is not empty and no optimum's.
     StoreError : another process writes it; it cannot be written.
     """
-    asked = f"{model.model_dump_json()} {_dumped(task)}"
+    bare = task.with_(title="", model=None, mission=None, seconds=1.0)
+    asked = f"{model.model_dump_json()} {bare.model_dump_json()}"
     if model.recipe is not None and any(name in asked for name in ('"library.', '"parameters.')):
         asked += model.recipe.source  # a function may give the same model, and other ones beside it
     hashed = hashlib.blake2b(asked.encode(), digest_size=16).hexdigest()
@@ -117,10 +118,6 @@ def _check(path: Path, hashed: str, overwrite: bool) -> bool:
         mend = "Name another folder, or replace it with --overwrite (overwrite=True)."
         raise InputError(f"{path} holds the search of another model or task. {mend}")
     return same
-
-
-def _dumped(task: OptimumTask) -> str:
-    return task.with_(title="", model=None, mission=None, seconds=1.0).model_dump_json()
 
 
 @dataclass(frozen=True, kw_only=True)

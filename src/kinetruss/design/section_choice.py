@@ -55,7 +55,8 @@ def chosen(
     best = improved(judged, start, [len(one) for one in lists], KEPT if task is not None else FEASIBLE)
     proof = None
     if task is not None:
-        proof = lightest(task, None if best is None else np.array(best), function.task.seconds, _progress(told))
+        progress = None if told is None else lambda boxes, cost, bound: told(boxes, cost, bound)
+        proof = lightest(task, None if best is None else np.array(best), function.task.seconds, progress)
         best = None if proof.choice is None else tuple(proof.choice.tolist())
         if best is None and proof.closed:
             raise AnalysisError(
@@ -66,10 +67,6 @@ def chosen(
     if best is None:
         raise AnalysisError("No choice from the lists was found that keeps all limits. Add larger values, or widen the limits.")
     return np.array([one[k] for one, k in zip(lists, best, strict=True)]), proof, notes
-
-
-def _progress(told: Any) -> Any:
-    return None if told is None else lambda boxes, cost, bound: told(boxes, cost, bound)
 
 
 def improved(

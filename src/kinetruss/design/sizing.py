@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import math
 from pathlib import Path
-from typing import Any
 
 import numpy as np
 
@@ -93,7 +92,7 @@ def size(model: Model, mission: Mission | str | Path) -> Sizing:
         settled=settled,
         verdict=verdict,
         before=before,
-        demand=_demands(sized, tasks, forces),
+        demand={one.name: actuators.evaluate(sized, one.motion, forces[one.name]) for one in tasks if sized.actuators},
         notes=(*_replaced(given, plan), *notes),
         provenance=provenance(sized, before=provenance(model)["model"]),
     )
@@ -107,10 +106,6 @@ def _tubes(
         none = np.zeros(0, np.int64)
         return Selection(choice=none, model=model, forces=forces, verdict=before, rejected={}, passes=0), [], []
     return proven(model, plan, tasks, select(model, plan, tasks, mission.settle.passes))
-
-
-def _demands(model: Model, tasks: list[Loading], forces: dict[str, Any]) -> dict[str, Any]:
-    return {one.name: actuators.evaluate(model, one.motion, forces[one.name]) for one in tasks} if model.actuators else {}
 
 
 def _mass(model: Model, members: tuple[str, ...] | None = None) -> float:

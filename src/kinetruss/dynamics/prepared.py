@@ -8,7 +8,8 @@ from typing import TYPE_CHECKING, Any, NamedTuple
 import numpy as np
 
 from kinetruss.dynamics.force_tables import Carried, Read, forces_of
-from kinetruss.dynamics.prescribed import solve, unbalanced, with_friction
+from kinetruss.dynamics.imbalance import unbalanced
+from kinetruss.dynamics.prescribed import solve, with_friction
 from kinetruss.errors import InputError
 from kinetruss.kernels.compiled.workspace import allocate
 from kinetruss.kernels.structure.lengths import lengths

@@ -10,10 +10,11 @@ import numpy as np
 from kinetruss.display import moment
 from kinetruss.dynamics.bearing_friction import couples_on_ends, friction_directions, jam, seats_of
 from kinetruss.dynamics.force_tables import Read, force_arrays, forces_of, solved_in_space
+from kinetruss.dynamics.imbalance import imbalance, imbalance_note, refuse_falling
 from kinetruss.dynamics.least_norm import free_forces, least_norm
-from kinetruss.errors import AnalysisError, InputError
+from kinetruss.errors import AnalysisError
 from kinetruss.kernels.compiled.workspace import allocate
-from kinetruss.kernels.structure.structure import NONE, EndForces, NodalLoads, States
+from kinetruss.kernels.structure.structure import EndForces, NodalLoads, States
 from kinetruss.kernels.sweep.forces import applied, forces as sweep
 from kinetruss.kinematics.own_motion import check_motion
 from kinetruss.mechanics import (
@@ -30,9 +31,7 @@ from kinetruss.mechanics import (
 )
 from kinetruss.mechanics.accuracy import NEAR, NOTHING, accuracy_note, error_of, lost
 from kinetruss.mechanics.beam_shapes import STRAIGHT, FixedShapes, fixed_shapes
-from kinetruss.mechanics.elements import material_stiffness, strained_forces
 from kinetruss.mechanics.loads import Loads, case_loads
-from kinetruss.mechanics.mobility import underdriven
 from kinetruss.mechanics.tables import nodal_loads, structure_of
 from kinetruss.model import Model
 from kinetruss.results import Forces, Motion, provenance
@@ -44,53 +43,10 @@ if TYPE_CHECKING:
     from numpy.typing import NDArray
 
 
-BALANCED = 1e-4
-"""Residual, as a fraction of the largest nodal load, up to which elastic parts are in balance."""
 TOGETHER = 16
 """Samples whose Jacobians are found at once."""
-ROUND_OFF = 1e-12
-"""Residual, as a fraction of the stiffness times the size of the structure, that is round-off."""
 UNBALANCED = 1e-9
 """Residual of a singular position, as a fraction of what acts, that is more than round-off of loads and accelerations."""
-
-
-def out_of_balance(system: System, loads: Any, x: NDArray[np.float64], rest: NDArray[np.float64]) -> float:
-    """Largest residual (times, 3 n) at free coordinates, N, where beams, membranes or solids are not in balance; else 0."""
-    if system.continua is None or not len(x):
-        return 0.0
-    inner = [strained_forces(system, place) for place in x]
-    largest = max(float(np.abs(part).max(initial=0.0)) for part in (loads.force, *inner))
-    stiff = float(np.abs(material_stiffness(system, x[0].reshape(-1, 3)).diagonal()).max())
-    off = float(np.abs(rest[:, system.free]).max(initial=0.0))
-    return off if off > BALANCED * largest + ROUND_OFF * stiff * float(np.ptp(system.x0, axis=0).max()) else 0.0
-
-
-def bars_out_of_balance(system: System, rest: NDArray[np.float64], joint: NDArray[np.float64], still: bool) -> float:
-    """Largest residual (times, 3 n) at free coordinates, N, where elastic bars, at rest also springs, are not in balance; else
-    0.
-
-    joint (times, members, 2, 3) : forces at the ends of members, N. Without what is elastic there is none: what a mechanism
-    needs in its free directions is no fault of its positions.
-    """
-    if not len(rest) or not ((system.law != NONE).any() or (still and system.force_elements)):
-        return 0.0
-    off = float(np.abs(rest[:, system.free]).max(initial=0.0))
-    size = float(np.abs(joint).max(initial=0.0))
-    stiff = float((system.spring * system.natural).max()) if (system.law != NONE).any() else 0.0
-    return off if off > BALANCED * size + ROUND_OFF * stiff else 0.0
-
-
-def out_of_balance_as_a_whole(system: System, loads: Any, rest: NDArray[np.float64], joint: NDArray[np.float64]) -> float:
-    """Largest residual (times, 3 n), N, of a structure that nothing holds, whose motion is not one that its loads make; else 0.
-
-    joint (times, members, 2, 3) : forces at the ends of members, N.
-    """
-    if not len(rest) or system.prescribed.reshape(-1, 3)[:, : system.dim].any():
-        return 0.0
-    off, size = (
-        max(float(np.abs(one).max(initial=0.0)) for one in some) for some in ((rest[:, system.free],), (joint, loads.force))
-    )
-    return off if off > BALANCED * size else 0.0
 
 
 # Forces with friction that follows from the joint forces: solved again with it until both agree.
@@ -225,20 +181,8 @@ def at_rest(system: System, motion: Motion, loads: Loads, closed: NDArray[np.boo
     loads = loads.at(x)
     solved = solve(system, motion.arrays["drive_position"].values, loads, _at_rest(States(x, x, x)))
     if closed is not None:
-        _refuse_falling(system, loads, solved)
+        refuse_falling(system, loads, solved)
     return _record(system, motion, loads, solved, None, at_rest=True, closed=closed)
-
-
-def _refuse_falling(system: System, loads: Loads, solved: dict[str, Any]) -> None:
-    """Refuse poses of given drives in which loads act along a freedom that the drives leave; what is elastic yields, and has a
-    message of its own.
-    """
-    if system.continua is not None or (system.law != NONE).any() or system.force_elements:
-        return
-    off = np.abs(solved["rest"][:, system.free]).max(initial=0.0)
-    size = max(float(np.abs(one).max(initial=0.0)) for one in (solved["rest"], solved["joint"], loads.force))
-    if off > BALANCED * size:
-        raise InputError(f"{underdriven(system)} In this pose {off:.3g} N act along it, which nothing holds.")
 
 
 def _at_rest(states: States) -> States:
@@ -281,10 +225,7 @@ def _solve(system: System, values: NDArray[np.float64], loads: Any, states: Stat
     solved |= {"not_unique": arrangement.not_unique, "near": {}, "singular": {}, "of": system}
     if arrangement.plan is None:
         solved["not_unique"], solved["singular"] = free_forces(system, loads, values, states, N, ends)
-        solved["off"] = out_of_balance(system, loads, x, rest)
-        solved["loose"] = 0.0 if solved["off"] else bars_out_of_balance(system, rest, joint, len(states.v) == 1)
-        solved["adrift"] = 0.0 if solved["off"] or solved["loose"] else out_of_balance_as_a_whole(system, loads, rest, joint)
-        return solved
+        return solved | {"left": imbalance(system, loads, x, rest, joint, len(states.v) == 1)}
     pivot, whole, acting = np.ones(count), structure_of(system), nodal_loads(loads)
     for part, used in _pieces(system, arrangement, x, values):
         plan: Any = used.plan
@@ -432,33 +373,27 @@ def _record(
     data = force_arrays(system, motion, loads, solved, at_rest)
     names = system.parts_of(np.flatnonzero(solved["not_unique"]))
     data.attrs.update({"kind": "forces", "load_case": loads.name, "not_unique": names, "at_rest": int(at_rest)})
-    message = motion.message
-    if off := solved.get("off", 0.0):
+    left = solved.get("left", {})
+    said = [motion.message, imbalance_note(system, left, at_rest)]
+    if off := left.get("off") or left.get("adrift"):
         data.attrs["not_balanced"] = off
-        message = f"{message} {unbalanced(off, at_rest)}".strip()
-    if off := solved.get("loose", 0.0):
-        message = f"{message} {unbalanced(off, at_rest, 'elastic bars' if (system.law != NONE).any() else 'springs')}".strip()
-    if off := solved.get("adrift", 0.0):
-        data.attrs["not_balanced"] = off
-        message = f"{message} {unheld(off, at_rest)}".strip()
     if undecided := solved.get("undecided", ()):
         data.attrs["undecided"] = list(undecided)
-        message = (
-            f"{message} Balance alone does not decide the forces of the beams {', '.join(undecided[:8])}, nor those of "
+        said.append(
+            f"Balance alone does not decide the forces of the beams {', '.join(undecided[:8])}, nor those of "
             "supports that they stand on; an equilibrium does (in the model file: statics.equilibrium)."
-        ).strip()
-    if (note := not_unique_note(names)) not in message:  # the equilibrium of a run says it already
-        message = f"{message} {note}".strip()
+        )
+    if (note := not_unique_note(names)) not in motion.message:  # the equilibrium of a run says it already
+        said.append(note)
     if solved["singular"] or solved["near"]:
         poses = [repr(str(name)) for name in motion.whole["pose"].values] if "pose" in motion.whole.coords else []
         if at := _not_unique_at(system, motion, solved, names):
             data.attrs["not_unique_at"] = at
-        for note in (*not_unique_at_notes(at, poses), _digits_lost(motion, solved, poses, closed)):
-            message = f"{message} {note}".strip()
+        said += [*not_unique_at_notes(at, poses), _digits_lost(motion, solved, poses, closed)]
     return Forces(
         data=data.later,
         status=motion.status,
-        message=message,
+        message=" ".join(filter(None, said)),
         provenance=provenance(system.given, load_case=loads.name),
         motion=motion,
         static=static,
@@ -490,24 +425,3 @@ def _digits_lost(motion: Motion, solved: dict[str, Any], poses: list[str], close
     said = accuracy_note(own, solved["x"][worst].reshape(-1, 3), errors[worst])
     where = moment(float(motion.arrays["time"].values[worst]), poses)
     return f"{f'P{where[1:]}' if poses else f'At {where}'}: {said}" if said else ""
-
-
-def unbalanced(off: float, at_rest: bool, parts: str = "beams, membranes or solids") -> str:
-    """The message on positions that the elastic parts do not have under these loads."""
-    why = "at rest they have another shape, that of an equilibrium (in the model file: statics.equilibrium)"
-    if not at_rest:
-        why = "the motion is not one that these loads make"
-    return (
-        f"Not in balance: {parts} in these positions leave up to {off:.2g} N at free nodes; {why}. "
-        "Reactions and member forces are without these."
-    )
-
-
-def unheld(off: float, at_rest: bool) -> str:
-    """The message on a floating structure in a motion that the loads do not make, or at rest under loads that move it."""
-    why = "it cannot be at rest under these loads" if at_rest else "this is not the motion that these loads make"
-    mend = "" if at_rest else " kinematics.follow moves it under all loads of the model, dynamics.simulate under a load case."
-    return (
-        f"Not in balance: nothing holds the structure, and {why}; up to {off:.2g} N are left at its nodes, and member forces "
-        f"are without them.{mend}"
-    )

@@ -26,7 +26,8 @@ from kinetruss.kinematics.time_tables import table_notes
 from kinetruss.mechanics import ByIdentity, System, cached, compile, not_unique_note, rearrange
 from kinetruss.mechanics.beam_shapes import rigid_links
 from kinetruss.mechanics.coordinates import released
-from kinetruss.mechanics.mobility import mobility_at, moves_text
+from kinetruss.mechanics.mobility import mobility_at
+from kinetruss.mechanics.mode_texts import moves_text
 from kinetruss.mechanics.solvers import LARGEST_DENSE
 from kinetruss.mechanics.undetermined import refuse_massless
 from kinetruss.mechanics.velocities import completed_velocities, named_coordinates

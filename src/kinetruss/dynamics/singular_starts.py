@@ -29,7 +29,8 @@ from kinetruss.kernels.solve.kkt import project
 from kinetruss.kernels.structure.equations import SUM_FORCE
 from kinetruss.kernels.structure.structure import CABLE
 from kinetruss.mechanics.coordinates import released
-from kinetruss.mechanics.mobility import beam_deformations, mobility_at, moves_text
+from kinetruss.mechanics.mobility import beam_deformations, mobility_at
+from kinetruss.mechanics.mode_texts import moves_text
 from kinetruss.model import DOP853, ERROR_CONTROLLED, Taylor
 
 if TYPE_CHECKING:

@@ -25,7 +25,7 @@ from kinetruss.mechanics.arguments import number_of, positions_of
 from kinetruss.mechanics.balance import Balance, balance_of
 from kinetruss.mechanics.elements import named_motions
 from kinetruss.mechanics.matrices import bar_laws
-from kinetruss.mechanics.mobility import moves_text
+from kinetruss.mechanics.mode_texts import moves_text
 from kinetruss.mechanics.rows import factors_of
 from kinetruss.results import Result
 from kinetruss.statics.active_set import PULLS, kinks_of

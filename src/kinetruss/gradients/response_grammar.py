@@ -17,7 +17,7 @@ import numpy as np
 
 from kinetruss.errors import few
 from kinetruss.model import nearest
-from kinetruss.model.expressions import CONSTANTS, FORCE_UNITS, NUMBER, Kind, in_unit, same_unit
+from kinetruss.model.expression_kinds import CONSTANTS, FORCE_UNITS, NUMBER, Frequency, Kind, in_unit, same_unit
 from kinetruss.model.measured_forces import ExpressionError
 
 if TYPE_CHECKING:
@@ -193,7 +193,7 @@ def _operation(op: type, a: Value, b: Value, own: str) -> Value:
         except ExpressionError as error:
             raise ExpressionError(f"{own!r} {error.message}", error.mend) from None
         sign = 1.0 if op is ast.Add else -1.0
-        found, kind = x + sign * y, a.kind if a.kind != NUMBER else b.kind
+        found, kind = x + sign * y, b.kind if a.kind == NUMBER or isinstance(a.kind, Frequency) else a.kind
         slopes: tuple[Any, Any] = (1.0, sign)
     elif op is ast.Mult:
         found, kind, slopes = x * y, a.kind.times(b.kind), (y, x)

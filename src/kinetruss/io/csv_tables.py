@@ -7,7 +7,7 @@ separated by commas, numbers have decimal points; empty lines and lines that sta
 from __future__ import annotations
 
 import re
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import TYPE_CHECKING
 
@@ -77,15 +77,11 @@ def read_table(
     try:
         text = read_text(path, max_size)
     except ModelError as error:
-        raise ModelError([_in_file(fault, str(path)) for fault in error.faults]) from None
+        raise ModelError([replace(fault, file=str(path)) for fault in error.faults]) from None
     for number, line in enumerate(text.splitlines(), start=1):
         if line.strip() and not line.lstrip().startswith("#"):
             reader.take(number, line)
     return reader.table(least_rows)
-
-
-def _in_file(fault: Fault, path: str) -> Fault:
-    return Fault(fault.path, fault.message, fault.mend, fault.line, fault.column, file=path)
 
 
 class _Reader:

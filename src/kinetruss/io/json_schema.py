@@ -103,7 +103,8 @@ def _tidy(part: Any) -> Any:
         if "patternProperties" in part:
             part = _table(part)
         drop = () if not named and not {"type", "anyOf", "oneOf", "$ref", "enum", "const"} & part.keys() else ("title",)
-        return {key: _tidy(value) for key, value in part.items() if key not in drop and not _mapped(key, value)} | _kinds(part)
+        mapped = ("discriminator",) if isinstance(part.get("discriminator"), dict) else ()
+        return {key: _tidy(value) for key, value in part.items() if key not in (*drop, *mapped)} | _kinds(part)
     if isinstance(part, list):
         return [_tidy(item) for item in part]
     return part.split("\n\n>>> ")[0] if isinstance(part, str) else part
@@ -114,10 +115,6 @@ def _table(part: dict[str, Any]) -> dict[str, Any]:
     (pattern, entry), *_ = part["patternProperties"].items()
     rest = {key: value for key, value in part.items() if key != "patternProperties"}
     return rest | {"propertyNames": {**part["propertyNames"], "pattern": pattern}, "additionalProperties": entry}
-
-
-def _mapped(key: str, value: Any) -> bool:
-    return key == "discriminator" and isinstance(value, dict)
 
 
 def _kinds(part: dict[str, Any]) -> dict[str, Any]:

@@ -8,8 +8,8 @@ from pathlib import Path
 from typing import Any, get_args
 
 from kinetruss.errors import Fault, ModelError
-from kinetruss.io.records import MODEL_KEYS, record_of_file
-from kinetruss.io.yaml_text import MAX_SIZE, locate, parse, plain, read_text, refuse
+from kinetruss.io.records import of_table, record_of_file
+from kinetruss.io.yaml_text import MAX_SIZE, Tree, plain
 from kinetruss.model import Catalogue, Gear, Mission, Model, Motor, Of, ScrewStock, TubeStock, mission_faults, of_file
 from kinetruss.units import NUMBER, unit_of
 
@@ -42,26 +42,24 @@ def read_catalogue(path: str | Path, *, max_size: int = MAX_SIZE) -> Catalogue:
     >>> catalogue.tubes["20x2"].outer, catalogue.material.E
     (0.02, 210000000000.0)
     """
-    path = Path(path)
+    start = "Start with title and source, then tubes, screws, gears or motors."
     try:
-        tree, faults = parse(path, read_text(path, max_size))
-        if tree is None or tree.table is None:
-            raise refuse(
-                "is not a table of names.", "Start with title and source, then tubes, screws, gears or motors.", (1, 1)
-            )
-        data = plain(tree)
-        found = [*faults, *_unitless(data)]
-        try:
-            with of_file():
-                catalogue = Catalogue(**data)
-        except ModelError as error:
-            accused = {fault.path[:2] for fault in found}
-            found += [fault for fault in error.faults if fault.path[:2] not in accused]
-        if found:
-            located = [locate(fault, tree) for fault in found]
-            raise ModelError(sorted(located, key=lambda fault: (fault.line or 0, fault.column or 0)))
+        return of_table(Path(path), _catalogue, start, max_size)
     except ModelError as error:
-        raise ModelError([replace(fault, file=str(path)) for fault in error.faults], str(path)) from None
+        raise ModelError([replace(fault, file=error.source) for fault in error.faults], error.source) from None
+
+
+def _catalogue(tree: Tree, faults: list[Fault]) -> Catalogue:
+    data = plain(tree)
+    found = [*faults, *_unitless(data)]
+    try:
+        with of_file():
+            catalogue = Catalogue(**data)
+    except ModelError as error:
+        accused = {fault.path[:2] for fault in found}
+        found += [fault for fault in error.faults if fault.path[:2] not in accused]
+    if found:
+        raise ModelError(found)
     return catalogue
 
 
@@ -120,8 +118,7 @@ def read_mission(path: str | Path, model: Model | None = None, *, max_size: int 
         return mission
 
     start = "Start with kinetruss_mission: 1, then runs, groups, catalogues."
-    others = dict.fromkeys(MODEL_KEYS, ("is a model, not a mission.", "Name the model first, then the mission."))
-    return record_of_file(path, build, start, others, max_size)
+    return record_of_file(path, build, start, "a mission", {"model": "Name the model first, then the mission."}, max_size)
 
 
 def _rebased(data: dict[str, Any], folder: Path) -> dict[str, Any]:

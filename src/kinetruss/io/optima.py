@@ -36,9 +36,8 @@ def read_optimum(path: str | Path, *, max_size: int = MAX_SIZE) -> OptimumTask:
     ('mass', ('bars.*.section.area',))
     """
     path = Path(path)
-    others = dict.fromkeys(MODEL_KEYS, ("is a model, not the task of an optimum.", "A task names it: model: FILE."))
-    others["kinetruss_mission"] = ("is a mission, not the task of an optimum.", "Size it by kinetruss size.")
-    task = record_of_file(path, lambda data: OptimumTask(**data), START, others, max_size)
+    others = {"model": "A task names it: model: FILE.", "mission": "Size it by kinetruss size."}
+    task = record_of_file(path, lambda data: OptimumTask(**data), START, "the task of an optimum", others, max_size)
     return task.with_(
         **{one: str(path.parent / own) for one in ("model", "mission") if (own := getattr(task, one)) is not None}
     )

@@ -16,13 +16,16 @@ from kinetruss.io.csv_tables import Table, read_table
 from kinetruss.io.earlier import without_inner_parts
 from kinetruss.io.histories import measured_columns, read_measured_table
 from kinetruss.io.library_models import library_parameters, on_library_model
-from kinetruss.io.yaml_text import MAX_SIZE, Tree, locate, parse, plain, read_text, refuse
+from kinetruss.io.records import in_order, of_table, table_of
+from kinetruss.io.yaml_text import MAX_SIZE, Tree, locate, plain, refuse
 from kinetruss.model import FORMAT, Lost, Model, of_file, rests_on
 from kinetruss.model.recipes import Recipe
 from kinetruss.units import Tagged, parse as quantity
 
 Place = tuple[str, ...]
 Reader = Callable[[Path, Mapping[str, Any], int], dict[str, Any]]
+START = "Start with kinetruss: 1, then nodes, bars, ...; `kinetruss examples` shows some."
+"""How a model file starts."""
 
 
 class Reading:
@@ -204,15 +207,8 @@ def read(path: str | Path, *, max_size: int = MAX_SIZE) -> Model:
     """
     if isinstance(path, Mapping):
         raise InputError("A mapping is no file. Make the model of it: kt.Model(**data).")
-    path = Path(path)
-    try:
-        tree, faults = _parsed(path, max_size)
-        try:
-            return model_of(plain(tree), faults, path.parent, max_size)
-        except ModelError as error:
-            raise ModelError(_sorted([_located(fault, tree) for fault in error.faults])) from None
-    except ModelError as error:
-        raise ModelError(error.faults, str(path)) from None
+    folder = Path(path).parent
+    return of_table(Path(path), lambda tree, faults: model_of(plain(tree), faults, folder, max_size), START, max_size, _located)
 
 
 def placed(path: str | Path, faults: list[Fault], *, max_size: int = MAX_SIZE) -> list[Fault]:
@@ -231,18 +227,8 @@ def placed(path: str | Path, faults: list[Fault], *, max_size: int = MAX_SIZE) -
     """
     if not faults:
         return faults
-    tree, _ = _parsed(Path(path), max_size)
-    return _sorted([_located(fault, tree) for fault in faults])
-
-
-def _parsed(path: Path, max_size: int) -> tuple[Tree, list[Fault]]:
-    tree, faults = parse(path, read_text(path, max_size))
-    start = "Start with kinetruss: 1, then nodes, bars, ...; `kinetruss examples` shows some."
-    if tree is None:
-        raise refuse("is empty.", start, (1, 1))
-    if tree.table is None:
-        raise refuse("is not a table of names.", start, tree.place)
-    return tree, faults
+    tree, _ = table_of(Path(path), START, max_size)
+    return in_order(_located(fault, tree) for fault in faults)
 
 
 def model_of(data: dict[str, Any], faults: list[Fault], folder: Path, max_size: int) -> Model:
@@ -293,8 +279,3 @@ def _located(fault: Fault, tree: Tree) -> Fault:
         line, column = tree.keys["library"]  # type: ignore[index]
         return fault if fault.line is not None else replace(fault, line=line, column=column)
     return locate(fault, tree)
-
-
-def _sorted(faults: list[Fault]) -> list[Fault]:
-    """Faults in the order of the file; faults of other files last."""
-    return sorted(faults, key=lambda fault: (fault.file or "", fault.line or 0, fault.column or 0))

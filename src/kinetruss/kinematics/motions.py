@@ -404,7 +404,8 @@ def _swept(system: System, path: Path, start: ArrayLike | None, least: float) ->
     arrangement = arrange(system)
     if arrangement.plan is None:
         raise underdriven(system)
-    at, least = _start(system, start), number_of(least, "least", "smallest gauge", infinite=True)
+    at = own_start(system) if start is None else positions_of(system, start, "start")
+    least = number_of(least, "least", "smallest gauge", infinite=True)
     histories = allocate(*[(len(path.t), system.x0.size)] * 3, (len(path.t),))
     x, v, a, gauge = histories
     if len(arrangement.redundant):
@@ -417,10 +418,6 @@ def _swept(system: System, path: Path, start: ArrayLike | None, least: float) ->
         raise underdriven(system)
     status, message = _verdict(system, path, reason, good, reached, x)
     return Swept(x=x[:good], v=v[:good], a=a[:good], gauge=gauge[:good], status=status, message=message)
-
-
-def _start(system: System, start: ArrayLike | None) -> NDArray[np.float64]:
-    return own_start(system) if start is None else positions_of(system, start, "start")
 
 
 def _named(model: Model, name: str) -> Any:

@@ -20,19 +20,8 @@ from kinetruss.kinematics.turns import Passed, refined
 from kinetruss.mechanics import compile
 from kinetruss.mechanics.measure_arrays import terms_of
 from kinetruss.mechanics.measures import terms_sum
-from kinetruss.model.expressions import (
-    AXES,
-    CONSTANTS,
-    FORCE_UNITS,
-    FUNCTIONS,
-    Kind,
-    Tree,
-    forces_in,
-    function_of,
-    kind_of,
-    looked_up,
-    read_expression,
-)
+from kinetruss.model.expression_kinds import AXES, CONSTANTS, FORCE_UNITS, FUNCTIONS, Kind, function_of
+from kinetruss.model.expressions import Tree, forces_in, kind_of, looked_up, read_expression
 from kinetruss.model.measured_forces import ExpressionError
 from kinetruss.model.quantities import kinds_of
 from kinetruss.results import Column, Motion, Simulation, variable
@@ -181,15 +170,11 @@ def _states(system: System, result: Result) -> Known:
             coords["pose"] = ("time", arrays["pose"].values)
     if linear:
         return _coefficients(np.broadcast_to(system.x0.reshape(1, -1), x.shape), x, None), None, slice(None), True, coords
-    if not timed or "pose" in arrays or "velocity" not in arrays or _at_rest(result):
+    if not timed or "pose" in arrays or "velocity" not in arrays or result.attrs.get("at_rest", 0):
         return _coefficients(x, None, None), None, slice(None), False, coords
     v, a = (_flat(system, arrays[name].values) for name in ("velocity", "acceleration"))
     whole = refined(arrays["time"].values, x, v, a, Passed.of(system, held) if isinstance(held, Motion) else Passed.none(0))
     return _coefficients(whole.x, whole.v, whole.a), whole.t, whole.samples, False, coords
-
-
-def _at_rest(result: Any) -> bool:
-    return bool(result.attrs.get("at_rest", 0))
 
 
 def _flat(system: System, values: Array) -> Array:

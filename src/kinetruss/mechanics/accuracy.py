@@ -16,7 +16,7 @@ import numpy as np
 from kinetruss.elements.caching import cached
 from kinetruss.kernels.structure.structure import LENGTH
 from kinetruss.mechanics.arrangement import Arrangement
-from kinetruss.mechanics.mobility import moves_text, ranked
+from kinetruss.mechanics.mode_texts import moves_text, ranked
 from kinetruss.mechanics.null_space import Spaces
 from kinetruss.mechanics.row_gradients import constraint_jacobian, row_directions, row_ends
 from kinetruss.mechanics.system import System

@@ -20,7 +20,7 @@ from kinetruss.mechanics.arguments import names_of
 from kinetruss.mechanics.bays import POSE, pose_gradients, pose_values
 from kinetruss.mechanics.measures import measured
 from kinetruss.mechanics.members import DRIVEN, RIGID
-from kinetruss.mechanics.mobility import moves_text
+from kinetruss.mechanics.mode_texts import moves_text
 from kinetruss.mechanics.row_gradients import (
     RANK_TOLERANCE,
     constraint_curvature,

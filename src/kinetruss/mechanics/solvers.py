@@ -64,7 +64,7 @@ def solver_arrays(
         raise InputError("the sweep solver needs rows that are independent of each other; some are redundant. Take sparse.")
     rows = np.arange(len(system.row_member))
     order = np.concatenate([np.setdiff1d(rows, redundant), redundant]).astype(np.int64) if chosen == DENSE else rows
-    ordered = _in_order(system, order)
+    ordered = system.with_rows(order)
     augmented_row = np.flatnonzero(np.isin(order, augmented_row))
     arrays = _nothing() | {"redundant_row": np.isin(order, redundant), "weight": weight[order]}
     arrays |= {"augmented_row": augmented_row, "augmentation": np.array([augmentation])}
@@ -83,10 +83,6 @@ def addresses_of(solver: int) -> dict[str, int]:
     """The addresses in `Equations` of the kernels of a solver."""
     factor, solve = KERNELS[solver]
     return {"factor_at": factor_of_solver.address(factor), "solve_at": solve_of_solver.address(solve)}
-
-
-def _in_order(system: System, order: NDArray[np.int64]) -> System:
-    return system.with_rows(order)
 
 
 def _redundant(system: System, shared: bool) -> tuple[NDArray[np.int64], NDArray[np.float64], bool, bool]:

@@ -38,7 +38,7 @@ if TYPE_CHECKING:
     )
     from kinetruss.model.gauges import Bridge as Bridge, Gauge as Gauge, GaugeZero as GaugeZero
     from kinetruss.model.hubs import Hub as Hub
-    from kinetruss.model.inner import Inner as Inner, Owner as Owner
+    from kinetruss.model.inner import Owner as Owner
     from kinetruss.model.inputs import (
         DriveInput as DriveInput,
         DriveLoad as DriveLoad,
@@ -181,7 +181,7 @@ if TYPE_CHECKING:
         Trapezoid as Trapezoid,
         moved_by as moved_by,
     )
-    from kinetruss.model.whole import WholeModel as WholeModel
+    from kinetruss.model.whole import Inner as Inner, WholeModel as WholeModel
     from kinetruss.model.words import in_python as in_python, nearest as nearest, of_file as of_file
 
 __getattr__, __dir__, __all__ = late(__name__)

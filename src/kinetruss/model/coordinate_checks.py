@@ -216,11 +216,8 @@ def _bodies(model: ModelData, joint: Joint, path: tuple[Any, ...]) -> Iterator[F
             return
     need = model.dim if joint.kind == "weld" else SHARED.get(joint.kind, 0)
     if len(sets) == 2 and need and len(both := sets[0] & sets[1] & set(joint.nodes)) < need:
-        message = f"the bodies share {_listed(both)}; {joint.kind} needs {need}, or they do not meet there."
+        shared = f"of its nodes only {', '.join(sorted(both))}" if both else "none of its nodes"
+        message = f"the bodies share {shared}; {joint.kind} needs {need}, or they do not meet there."
         mend = f"Name {need} node{'s' if need > 1 else ''} in the joint and in both bodies (of ground: fixed), "
         mend += "or let library.joints make it."
         yield Fault((*path, "nodes"), message, mend)
-
-
-def _listed(nodes: set[str]) -> str:
-    return f"of its nodes only {', '.join(sorted(nodes))}" if nodes else "none of its nodes"

@@ -10,7 +10,8 @@ from pydantic import Field, model_validator
 
 from kinetruss.errors import Fault, ModelError, few, shown
 from kinetruss.model.beams import Beam, Vector
-from kinetruss.model.members import Brace, EndCondition
+from kinetruss.model.inner import Owner
+from kinetruss.model.members import Brace, EndCondition, Node
 from kinetruss.model.record import Delay, Distance, Flag, Mass, Name, Record, Series, short_form
 from kinetruss.model.references import NodeName, matched, names_in
 from kinetruss.model.sections import MaterialOrName, SectionOrName
@@ -292,9 +293,6 @@ def add_tips(whole: WholeModel) -> None:
     """Add the direction of each link to whose angle something refers: a bar from its first node to a node of its frame there,
     so that a couple on the angle acts at the first pin.
     """
-    from kinetruss.model.inner import Owner
-    from kinetruss.model.members import Node
-
     for name in turned_links(whole):
         a, b = whole.links[name].ends
         frame = whole.inner.frames.get(frame_at(whole.links[name], name, a))

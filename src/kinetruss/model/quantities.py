@@ -9,13 +9,12 @@ from typing import TYPE_CHECKING, Annotated, Any, ClassVar
 from pydantic import AfterValidator, Field, WithJsonSchema, model_validator
 
 from kinetruss.errors import Fault
+from kinetruss.model.expression_kinds import Kind, in_unit
 from kinetruss.model.expressions import (
     DEEPEST,
     LONGEST,
-    Kind,
     Tree,
     forces_in,
-    in_unit,
     kind_of,
     looked_up,
     read_expression,

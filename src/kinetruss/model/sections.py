@@ -34,7 +34,49 @@ class _Shape(Record):
         return None if found is None else (found, found)
 
 
-class Tube(_Shape):
+class _Round(_Shape):
+    """A round section."""
+
+    @property
+    def area(self) -> float:
+        """m^2."""
+        outer, inner = _diameters(self)
+        return math.pi / 4 * (outer**2 - inner**2)
+
+    @property
+    def second_moments(self) -> tuple[float, float]:
+        """(I2, I3), about axes 2 and 3, m^4."""
+        outer, inner = _diameters(self)
+        value = math.pi / 64 * (outer**4 - inner**4)
+        return value, value
+
+    @property
+    def torsion_constant(self) -> float:
+        """J, m^4: the polar second moment."""
+        return 2 * self.second_moments[0]
+
+    @property
+    def torsion_arm(self) -> float:
+        """Largest shear stress of torsion over torque/J, m: the outer radius."""
+        return _diameters(self)[0] / 2
+
+    @property
+    def extreme_fibres(self) -> tuple[float, float]:
+        """(c2, c3): largest distance from the axis along 2 and along 3, m."""
+        return _diameters(self)[0] / 2, _diameters(self)[0] / 2
+
+    @property
+    def round(self) -> bool:
+        """True: bending about any axis meets the same section."""
+        return True
+
+
+def _diameters(of: Any) -> tuple[float, float]:
+    """Outer and inner one of a round section, m."""
+    return (of.outer, of.inner) if hasattr(of, "outer") else (of.diameter, 0.0)
+
+
+class Tube(_Round):
     """Round tube.
 
     outer, inner : diameters, m.
@@ -60,44 +102,13 @@ class Tube(_Shape):
         return self
 
     @property
-    def area(self) -> float:
-        """m^2."""
-        return math.pi / 4 * (self.outer**2 - self.inner**2)
-
-    @property
-    def second_moments(self) -> tuple[float, float]:
-        """(I2, I3), about axes 2 and 3, m^4."""
-        value = math.pi / 64 * (self.outer**4 - self.inner**4)
-        return value, value
-
-    @property
-    def torsion_constant(self) -> float:
-        """J, m^4: the polar second moment."""
-        return 2 * self.second_moments[0]
-
-    @property
-    def torsion_arm(self) -> float:
-        """Largest shear stress of torsion over torque/J, m: the outer radius."""
-        return self.outer / 2
-
-    @property
-    def extreme_fibres(self) -> tuple[float, float]:
-        """(c2, c3): largest distance from the axis along 2 and along 3, m."""
-        return self.outer / 2, self.outer / 2
-
-    @property
-    def round(self) -> bool:
-        """True: bending about any axis meets the same section."""
-        return True
-
-    @property
     def shear_factor(self) -> float:
         """Largest shear stress over mean shear stress: 2 for a thin tube, 4/3 for a solid rod (exact between)."""
         ratio = self.inner / self.outer
         return 4 / 3 * (1 + ratio + ratio**2) / (1 + ratio**2)
 
 
-class Rod(_Shape):
+class Rod(_Round):
     """Solid round bar.
 
     diameter : m.
@@ -111,37 +122,6 @@ class Rod(_Shape):
     kind: Literal["rod"] = "rod"
     diameter: PositiveLength
     shear_coefficient: PositiveNumber | None = None
-
-    @property
-    def area(self) -> float:
-        """m^2."""
-        return math.pi / 4 * self.diameter**2
-
-    @property
-    def second_moments(self) -> tuple[float, float]:
-        """(I2, I3), m^4."""
-        value = math.pi / 64 * self.diameter**4
-        return value, value
-
-    @property
-    def torsion_constant(self) -> float:
-        """J, m^4: the polar second moment."""
-        return 2 * self.second_moments[0]
-
-    @property
-    def torsion_arm(self) -> float:
-        """Largest shear stress of torsion over torque/J, m: the radius."""
-        return self.diameter / 2
-
-    @property
-    def extreme_fibres(self) -> tuple[float, float]:
-        """(c2, c3), m."""
-        return self.diameter / 2, self.diameter / 2
-
-    @property
-    def round(self) -> bool:
-        """True: bending about any axis meets the same section."""
-        return True
 
     @property
     def shear_factor(self) -> float:

@@ -393,10 +393,9 @@ def target_rules(model: ModelData, target: Any, path: Place) -> Iterator[Fault]:
         yield from _single(model, task, (*path, "tasks", k))
         for one in _asked(model, task):
             if one in asked:
-                mend = "Ask for it once; or leave it free in one of them."
-                yield Fault(
-                    (*path, "tasks", k), f"asks for {one[-1]!r} of {_called(one[0])}, as task {asked[one] + 1} does.", mend
-                )
+                of, mend = one[0], "Ask for it once; or leave it free in one of them."
+                of = of if isinstance(of, str) else ", ".join(of)
+                yield Fault((*path, "tasks", k), f"asks for {one[-1]!r} of {of}, as task {asked[one] + 1} does.", mend)
                 break
             asked[one] = k
 
@@ -495,7 +494,3 @@ def _asked(model: ModelData, task: Any) -> list[Any]:
             return [("coordinates", f"{task.node}.{axis}") for axis in "xyz"[: model.dim] if axis in names]
         return [(what, task.point, name) for name in names]
     return [(what, task.kind if task.kind != "docking" else "", name) for name in names]
-
-
-def _called(what: Any) -> str:
-    return what if isinstance(what, str) else ", ".join(what)

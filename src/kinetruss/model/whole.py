@@ -2,23 +2,24 @@
 
 from __future__ import annotations
 
+from dataclasses import dataclass, field
 from functools import cached_property
 from typing import TYPE_CHECKING
 
-from kinetruss.model.beam_checks import add_spins
-from kinetruss.model.beam_frames import add_chords, add_frames, rigid_groups
+from kinetruss.model.beam_checks import Spin, add_spins
+from kinetruss.model.beam_frames import Axes, Hinge, add_chords, add_frames, rigid_groups
 from kinetruss.model.body_checks import body_faults
 from kinetruss.model.bracing import braces
 from kinetruss.model.checks import dimension
 from kinetruss.model.data import ModelData
-from kinetruss.model.hub_arms import arms_of
-from kinetruss.model.hub_expansion import add_hubs
+from kinetruss.model.hub_arms import Arm, arms_of
+from kinetruss.model.hub_expansion import Pivot, add_hubs
 from kinetruss.model.hubs import missing_nodes
-from kinetruss.model.inner import Inner, Owner
+from kinetruss.model.inner import Owner
 from kinetruss.model.links import add_tips, pieces
 from kinetruss.model.members import Brace
 from kinetruss.model.references import unknown_names
-from kinetruss.model.supports import add_fixed, add_supports
+from kinetruss.model.supports import Holding, add_fixed, add_supports
 from kinetruss.model.table import ReadOnly
 
 if TYPE_CHECKING:
@@ -39,6 +40,39 @@ GROWING = (
     "stops",
 )
 """Tables to which inner parts are added; in them members of hubs end at the tips of arms."""
+
+
+@dataclass(frozen=True, kw_only=True)
+class Inner:
+    """Inner parts by name, each with its owner, and what they were made for; all other parts are the user's.
+
+    nodes : of frames and of axes of hinges, tips of the arms of hubs, apexes. bars : chords of beams, braces, bars of hinges,
+    arms of hubs. bodies : of hubs and of hinged members. couplings : of rotations of beams, of hinges, of supports.
+    elements : springs and stops of supports. frames, hinges, spins : of beams and links; tips : by frame of a link the node
+    towards which its direction counts. arms : of each hub. pivots : the hinges of hubs.
+    twice : supports whose node the user also fixed or clamped, with the table. holdings : what holds the directions of
+    supports. arms_of_supports : nodes of a frame along the axes of a turned support.
+    """
+
+    nodes: dict[str, Owner] = field(default_factory=dict)
+    bars: dict[str, Owner] = field(default_factory=dict)
+    bodies: dict[str, Owner] = field(default_factory=dict)
+    couplings: dict[str, Owner] = field(default_factory=dict)
+    elements: dict[str, Owner] = field(default_factory=dict)
+    frames: dict[str, Axes] = field(default_factory=dict)
+    hinges: list[Hinge] = field(default_factory=list)
+    spins: list[Spin] = field(default_factory=list)
+    tips: dict[str, str] = field(default_factory=dict)
+    arms: dict[str, list[Arm]] = field(default_factory=dict)
+    pivots: list[Pivot] = field(default_factory=list)
+    twice: dict[str, str] = field(default_factory=dict)
+    holdings: list[Holding] = field(default_factory=list)
+    arms_of_supports: dict[str, tuple[str, ...]] = field(default_factory=dict)
+
+    def part_of(self, name: str) -> str:
+        """The user's part to which a bar, coupling or body belongs: itself, or of an inner one its owner in words."""
+        owner = self.bars.get(name) or self.couplings.get(name) or self.bodies.get(name) or self.elements.get(name)
+        return name if owner is None else owner.text
 
 
 class WholeModel(ModelData):

@@ -179,7 +179,7 @@ def compare(
             continue
         if not names and not any(np.nan_to_num(one.values).any() for group in groups for one in group):
             continue
-        chosen = [group if members else [largest(group, _size)] for group in groups]
+        chosen = [group if members else [largest(group, lambda one: float(np.nanmax(np.abs(one.values))))] for group in groups]
         order = list(dict.fromkeys(one.of for group in chosen for one in group)) if members else [None]
         for of in order:
             for run, label, group in zip(runs, labels, chosen, strict=True):
@@ -225,10 +225,6 @@ def _rows(found: Sequence[Maximum]) -> Iterator[list[Any]]:
     for one in found:
         values = [getattr(one, name) for name in fields]
         yield [*(one.settings.get(name, "") for name in settings), *("" if v is None else v for v in values)]
-
-
-def _size(curve: Curve) -> float:
-    return float(np.nanmax(np.abs(curve.values)))
 
 
 def _largest(values: Any, time: Any) -> tuple[float, float]:

@@ -134,11 +134,8 @@ def _closing(found: FreeBody) -> str:
     miss = f"to {_miss(found.residual)} (largest force {quantity(found.largest, 'N')})"
     if found.kind == "node":
         return f"Equations: sum of forces = m a. They close {miss}."
-    return f"Equations: sum of forces = m a; sum of r x F + M = H'. All {_count(found)} close {miss}."
-
-
-def _count(found: FreeBody) -> int:
-    return sum(len(body.equations) for body in found.bodies)
+    count = sum(len(body.equations) for body in found.bodies)
+    return f"Equations: sum of forces = m a; sum of r x F + M = H'. All {count} close {miss}."
 
 
 def _miss(value: float) -> str:

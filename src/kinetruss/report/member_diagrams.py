@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
@@ -297,12 +297,8 @@ def _of_beams(run: RunResult, record: Mapping[str, Any], rows: Sequence[Mapping[
     for one in _subjects(run, case, sample or 0, worst[:MOST], ""):
         row = places.get(one.along.part)
         here = row is not None and row["load_case"] == case and _sample_of(run, row) == sample and row["position"] is not None
-        found.append(_placed(one, float(row["position"])) if here and row is not None else one)
+        found.append(replace(one, place=float(row["position"])) if here and row is not None else one)
     return found
-
-
-def _placed(one: Subject, place: float) -> Subject:
-    return Subject(along=one.along, why=one.why, when=one.when, load_case=one.load_case, place=place)
 
 
 def _first(subjects: Iterable[Subject]) -> list[Subject]:

@@ -201,13 +201,10 @@ def _forces(model: Model, forces: Forces) -> Histories | None:
     if forces.static is not None:
         rest = middle_forces(model, forces.static)
         still = {name: rest[:, k] for name, k in zip(names, order, strict=True)}
-    panel = Panel(quantity="member force", unit="N", lines=lines, dashed=still, band=_band(values[:, kept]))
+    band = values[:, kept].min(axis=1), values[:, kept].max(axis=1)
+    panel = Panel(quantity="member force", unit="N", lines=lines, dashed=still, band=band)
     title = "Largest member forces (mean axial force, tension positive)"
     return Histories(name="forces", title=title, time=data["time"].values, panels=(panel,))
-
-
-def _band(values: NDArray[np.float64]) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
-    return values.min(axis=1), values.max(axis=1)
 
 
 def _drives(run: RunResult, case: str, forces: Forces) -> Histories | None:

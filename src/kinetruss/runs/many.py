@@ -115,7 +115,8 @@ def run_variants(
     found = spread(model, settings, max_size)
     jobs = [replace(plan(variant.model, name), full=False) for variant in found]
     target = None if out is None else Path(out)
-    paths = [None] * len(found) if target is None else _paths(target, found)
+    several = len(found) > 1
+    paths = [None if target is None else target / one.name if several else target for one in found]
     work = _Work(found, jobs, paths, target, overwrite)
     done: dict[int, _Done] = {}
     with nullcontext() if target is None else _claimed(target, [path for path in paths if path is not None], overwrite):
@@ -274,10 +275,6 @@ def _worst(rows: Sequence[Row]) -> tuple[str, str, float, float] | None:
     if math.isnan(highest(rows)):
         return None  # nothing was checked, or no checked entry has a demand and some entries were not checked
     return rows[0].part, rows[0].rule, rows[0].utilisation, rows[0].time
-
-
-def _paths(target: Path, found: Sequence[Variant]) -> list[Path | None]:
-    return [target] if len(found) == 1 else [target / variant.name for variant in found]
 
 
 @contextmanager

@@ -135,7 +135,8 @@ def _pairs(found: Envelope) -> Iterator[Pair]:
             job = known.plan(pair)
             drives = PairDrives(job.model)
             for block in known.blocks(pair, job):
-                said = " ".join(notes_of(block)) if block.motion.status.ok else _early(block)
+                ended = block.motion.status
+                said = " ".join(notes_of(block) if ended.ok else filter(None, (EARLY + ended.value, block.motion.message)))
                 for forces in block.forces.values():
                     samples += int(forces.arrays["time"].values.size)
                     found.members.add(job.model, forces, pair.number)
@@ -149,11 +150,6 @@ def _pairs(found: Envelope) -> Iterator[Pair]:
         found.rows.append((float(utilisation), float(subject), float(rule), float(when), float(samples)))
         found.findings.append(said)
         yield pair
-
-
-def _early(block: Block) -> str:
-    """A motion that ends early."""
-    return f"{EARLY}{' '.join(filter(None, (block.motion.status.value, block.motion.message)))}"
 
 
 class _Known:

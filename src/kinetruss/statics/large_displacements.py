@@ -18,7 +18,7 @@ from kinetruss.mechanics.accuracy import SILENT, accuracy_note
 from kinetruss.mechanics.arguments import number_of, positions_of
 from kinetruss.mechanics.balance import Balance, balance_of, measure_forces, row_tensions
 from kinetruss.mechanics.elements import named_motions
-from kinetruss.mechanics.mobility import moves_text
+from kinetruss.mechanics.mode_texts import moves_text
 from kinetruss.mechanics.null_space import Spaces
 from kinetruss.mechanics.rotations import rotation_axes, rotations
 from kinetruss.model import Model, nearest

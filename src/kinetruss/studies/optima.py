@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Mapping
+from collections.abc import Mapping
 from copy import deepcopy
 from pathlib import Path
 from typing import Any
@@ -119,8 +119,4 @@ def optimum_of(pair: tuple[Model, OptimumTask]) -> tuple[Optimum, str]:
         raise KeyboardInterrupt
     if not found.certified:
         return found, found.sentence
-    return found, _reached(one.name for one in found.active if one.price > 0)
-
-
-def _reached(names: Iterable[str]) -> str:
-    return "; ".join(names) or "no limit is reached"
+    return found, "; ".join(one.name for one in found.active if one.price > 0) or "no limit is reached"

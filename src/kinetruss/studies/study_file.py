@@ -11,7 +11,7 @@ from pydantic import BeforeValidator, Field, ValidationError, model_validator
 
 from kinetruss.errors import Fault, InputError, shown
 from kinetruss.io import MAX_SIZE
-from kinetruss.io.records import MODEL_KEYS, record_of_file
+from kinetruss.io.records import record_of_file
 from kinetruss.limits import MOST_VARIANTS
 from kinetruss.model import Model, Record
 from kinetruss.model.record import Name, Whole
@@ -233,9 +233,8 @@ def read_study(path: str | Path, *, max_size: int = MAX_SIZE) -> Study:
             found["sample"] = sample | {"table": str(file.parent / sample["table"])}
         return Study(**found)
 
-    others = dict.fromkeys(MODEL_KEYS, ("is a model, not a study.", "A study names it: model: FILE."))
-    others["kinetruss_mission"] = ("is a mission, not a study.", "Size it by kinetruss size.")
-    return record_of_file(file, build, START, others, max_size)
+    others = {"model": "A study names it: model: FILE.", "mission": "Size it by kinetruss size."}
+    return record_of_file(file, build, START, "a study", others, max_size)
 
 
 def study_of(given: Study | str | Path, max_size: int = MAX_SIZE) -> Study:

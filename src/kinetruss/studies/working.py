@@ -119,7 +119,8 @@ def run_study(
         job = _Job(given, points, max_size)
     except ModelError as error:
         raise _placed(error, file, max_size) from None
-    with _executor(workers, cluster) as (executor, count), _ledger(out, job, overwrite) as ledger:
+    kept = in_memory(job.contents) if out is None else claimed(Path(out), job.contents, overwrite=overwrite)
+    with _executor(workers, cluster) as (executor, count), kept as ledger:
         try:
             nominal = job.begin(ledger, executor, local=cluster is None, check=check)
             _work(ledger, executor, count, job, nominal, progress)
@@ -137,10 +138,6 @@ def _placed(error: ModelError, file: Path | None, max_size: int) -> ModelError:
     if file is None or error.source is not None:
         return error
     return ModelError(placed(file, error.faults, max_size=max_size), str(file))
-
-
-def _ledger(out: str | Path | None, job: _Job, overwrite: bool) -> AbstractContextManager[Ledger]:
-    return in_memory(job.contents) if out is None else claimed(Path(out), job.contents, overwrite)
 
 
 class _Job:

@@ -57,12 +57,8 @@ def envelope() -> Numbers:
         for condition in bays.conditions
     ]
     force = max(abs(forces.drive_force).max() for one in runs for forces in one.forces.values())
-    most, *used = (max(row.utilisation for row in _checked(one)) for one in (mission, *runs))
+    most, *used = (max(row.utilisation for row in one.verdict.table() if row.checked) for one in (mission, *runs))
     return {"utilisation": most / max(used), "drive_force": mission.drives["value"].sel(quantity="force").max() / force}
-
-
-def _checked(run: Any) -> list[kt.results.Row]:
-    return [row for row in run.verdict.table() if row.checked]
 
 
 def conditions() -> Numbers:

@@ -215,9 +215,6 @@ def slew(
     """
     bays = whole(bays, "bays", most=MOST_BAYS)
     pairs = {"beta": beta, "gamma": gamma, "height": height}
-    moves = {f"{name}.{key}": pair for name in _pose_names(bays) for key, pair in pairs.items() if pair is not None}
+    names = ["bay"] if bays == 1 else [f"B{k}" for k in range(1, bays + 1)]
+    moves = {f"{name}.{key}": pair for name in names for key, pair in pairs.items() if pair is not None}
     return Quintic(moves=moves, duration=duration)
-
-
-def _pose_names(bays: int) -> list[str]:
-    return ["bay"] if bays == 1 else [f"B{k}" for k in range(1, bays + 1)]

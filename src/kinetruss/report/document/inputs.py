@@ -278,7 +278,7 @@ def _structure_rows(model: Model) -> Iterator[tuple[str, str]]:
         yield "bodies", f"{len(model.bodies)}: {listed(model.bodies)}"
     yield "drives", listed(f"{name} ({drive.kind})" for name, drive in model.all_drives.items()) or "none"
     held = [f"{name} ({axes})" for name, axes in model.fixed.items() if name not in model.clamped]
-    held += [f"{name} (clamped{_to(one)})" for name, one in model.clamped.items()]
+    held += [f"{name} (clamped{'' if one == 'ground' else f' to {one}'})" for name, one in model.clamped.items()]
     held += [f"{name} ({support_words(one)})" for name, one in model.supports.items()]
     yield "supports", listed(held) or "none"
     masses = [f"{name} {quantity(node.mass, 'kg')}" for name, node in model.nodes.items() if node.mass]
@@ -298,11 +298,6 @@ def _ended(model: Model) -> Iterator[str]:
         words = [*(["rigid"] if beam.kind == "rigid" else []), *(f"pinned at {end}" for end in beam.release)]
         words += [f"hinged at {end}" for end in beam.hinges]
         yield f"{name} ({', '.join(words)})" if words else name
-
-
-def _to(clamp: str) -> str:
-    """What a node is clamped to, unless that is the ground."""
-    return "" if clamp == "ground" else f" to {clamp}"
 
 
 def _parts(model: Model) -> Iterator[tuple[str, str]]:

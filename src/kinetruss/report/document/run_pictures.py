@@ -64,16 +64,13 @@ def picture(figure: Spec, number: int, caption: str) -> Figure:
 
 def thinned(figure: Histories) -> Histories:
     """The same curves with fewer samples, without losing peaks: minimum and maximum of each time interval."""
-    if max((len(one) for one in _times(figure)), default=0) <= FINE:
+    times = [figure.time, *(time for panel in figure.panels for time in panel.times.values())]
+    if max(map(len, times)) <= FINE:
         return figure
     edges = [edge for panel in figure.panels if panel.band is not None for edge in panel.band]
     common = _sampled(edges or [figure.time], len(figure.time))
     panels = tuple(_thinned(panel, figure.time, common) for panel in figure.panels)
     return replace(figure, time=figure.time[common], panels=panels)
-
-
-def _times(figure: Histories) -> list[NDArray[np.float64]]:
-    return [figure.time, *(time for panel in figure.panels for time in panel.times.values())]
 
 
 def _thinned(panel: Panel, time: NDArray[np.float64], common: NDArray[np.int64]) -> Panel:

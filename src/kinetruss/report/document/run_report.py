@@ -152,11 +152,8 @@ def run_parts(run: RunResult, record: dict[str, Any], sheets: list[Sheet], view:
     stressed = "Every part by its governing rule" if record["strength"] else "Stresses"
     deflected = deflected_figure(run, record)
     timed = not tables.is_single(record)
-    checks: list[Entry] = [
-        tables.strength(governing(record["strength"]), timed=timed),
-        *drawn.of("stresses"),
-        tables.skins(record["skins"], timed=timed),
-    ]
+    checks: list[Entry] = [tables.strength(governing(record["strength"]), timed=timed), *drawn.of("stresses")]
+    checks.append(tables.skins(record["skins"], timed=timed))
     actuators: list[Entry] = [
         tables.limits(record["limits"], timed=timed),
         tables.motors(record["motors"]),
@@ -164,6 +161,16 @@ def run_parts(run: RunResult, record: dict[str, Any], sheets: list[Sheet], view:
         tables.exceeded(record["exceeded"]),
         *drawn.of("motors"),
     ]
+    quantities = [
+        mechanism_tables.quantities(record["quantities"], timed=timed),
+        mechanism_tables.deflections(record["deflections"]),
+        *drawn.of("quantities"),
+    ]
+    moving = [*parts.motion(record), *changes, *mechanism_tables.entries(record["mechanism"], run.model.dim)]
+    moving += [one for name in ("turning", "paths", "speeds") for one in drawn.of(name)]
+    simulated = [*tables.simulation(record["simulation"]), *drawn.of("energies")]
+    along = [*over_structure(run, record), *diagrams_of(run, record)]
+    forces = [*parts.forces(record), *drawn.of("forces"), *drawn.of("drives")]
     calculations = "Each governing check, with the numbers of the run at that instant"
     return [
         Section("result", "Result", "", [tiles(record), *warned(record)]),
@@ -176,55 +183,19 @@ def run_parts(run: RunResult, record: dict[str, Any], sheets: list[Sheet], view:
         ),
         Section("inputs", "Basis of the analysis", "What was computed, and the data of the structure", basis(run)),
         Section("worked", "Worked calculations", calculations, shown(sheets)),
-        Section(
-            "diagrams",
-            "Diagrams along members",
-            "Section forces with their extreme values",
-            [*over_structure(run, record), *diagrams_of(run, record)],
-        ),
+        Section("diagrams", "Diagrams along members", "Section forces with their extreme values", along),
         Section("strength", "Strength", stressed, checks),
         Section("drives", "Actuators", "What motors, gears and screws deliver", actuators),
-        Section(
-            "forces",
-            "Member forces",
-            "Axial forces and supports",
-            [*parts.forces(record), *drawn.of("forces"), *drawn.of("drives")],
-        ),
-        Section(
-            "quantities",
-            "Quantities of the model",
-            "What the model defines to be measured, with limits",
-            [
-                mechanism_tables.quantities(record["quantities"], timed=timed),
-                mechanism_tables.deflections(record["deflections"]),
-                *drawn.of("quantities"),
-            ],
-        ),
+        Section("forces", "Member forces", "Axial forces and supports", forces),
+        Section("quantities", "Quantities of the model", "What the model defines to be measured, with limits", quantities),
         Section(
             "motion",
             "Motion",
             "Drives, or the lengths that change most; where nodes go and how members turn",
-            [
-                *parts.motion(record),
-                *changes,
-                *mechanism_tables.entries(record["mechanism"], run.model.dim),
-                *drawn.of("turning"),
-                *drawn.of("paths"),
-                *drawn.of("speeds"),
-            ],
+            moving,
         ),
-        Section(
-            "simulation",
-            "Simulation",
-            "Integration, events, energies",
-            [*tables.simulation(record["simulation"]), *drawn.of("energies")],
-        ),
-        Section(
-            "statics",
-            "Displacements and stability",
-            "The static analysis",
-            [*parts.standing(run), *deflected],
-        ),
+        Section("simulation", "Simulation", "Integration, events, energies", simulated),
+        Section("statics", "Displacements and stability", "The static analysis", [*parts.standing(run), *deflected]),
         Section("mobility", "Mobility", "Freedoms and states of self-stress of the model as it stands", parts.mobility(record)),
         Section("checks", "Checks", "Checks that need no other program", [parts.checked(run, record)]),
         Section("method", "Method and sources", "", parts.method(run)),

@@ -107,7 +107,8 @@ def shown(sheets: Sequence[Sheet]) -> list[Entry]:
     for k, sheet in enumerate(sheets, 1):
         name = element("h3", f"Calculation {k}. {sheet.title}")
         when = element("p", _where(sheet), class_="where")
-        found += [name, when, _given(sheet, sources), *_samples(sheet), _steps(sheet, sources), *_notes(sheet), _outcome(sheet)]
+        notes = [element("p", words, class_="note") for words in sheet.notes]
+        found += [name, when, _given(sheet, sources), *_samples(sheet), _steps(sheet, sources), *notes, _outcome(sheet)]
     return [*found, *sources.listed()]
 
 
@@ -207,10 +208,6 @@ def _steps(sheet: Sheet, sources: _Sources) -> Table:
         rows.append((symbol(one.meaning), line, valued(one.value, one.unit, RESULT), sources.mark(one.source, STEP)))
     heads = ("step", "formula, and the numbers put in", "result", "source")
     return Table(heads, rows, f"{sheet.title}: calculation", style="worked steps")
-
-
-def _notes(sheet: Sheet) -> list[Markup]:
-    return [element("p", words, class_="note") for words in sheet.notes]
 
 
 def _outcome(sheet: Sheet) -> Markup:
