@@ -212,7 +212,7 @@ def force_arrays(system: System, motion: Motion, loads: Any, solved: dict[str, A
     return Arrays(_axes(system, loads.name, "mode_force" in solved), motion.arrays["time"].values, data, attrs)
 
 
-@cached()
+@cached(of_records=True)
 def _fixed_coordinates(system: System) -> NDArray[np.int64]:
     """Flat coordinates that supports fix; the force of a drive is its drive_force instead."""
     mask = system.prescribed.copy()
@@ -220,7 +220,7 @@ def _fixed_coordinates(system: System) -> NDArray[np.int64]:
     return np.flatnonzero(mask)
 
 
-@cached()
+@cached(of_records=True)
 def _supports(system: System) -> tuple[NDArray[np.int64], NDArray[np.bool_]]:
     """Nodes of supports, and the coordinates (supports, 3) that they fix."""
     index = np.array([system.node_index(name) for name in system.supports], np.int64)
@@ -229,7 +229,7 @@ def _supports(system: System) -> tuple[NDArray[np.int64], NDArray[np.bool_]]:
     return index, mask[index]
 
 
-@cached()
+@cached(of_records=True)
 def _row_of(system: System) -> tuple[NDArray[np.int64], NDArray[np.int64]]:
     """Index of the length constraint of each member (the last index if it has none), and the mask of members without one."""
     axial = np.flatnonzero(system.row_kind == LENGTH)

@@ -43,7 +43,7 @@ if TYPE_CHECKING:
 AXES = ("x", "y", "z")
 
 
-@cached()
+@cached(of_records=True)
 def _axes(system: System) -> Axes:
     """Names of nodes, axes, members and drives."""
     return Axes(

@@ -246,17 +246,18 @@ def _weights(system: System, states: NDArray[np.float64]) -> tuple[NDArray[np.fl
     weight, stiff = np.ones(len(system.row_member)), np.zeros(len(system.row_member), np.bool_)
     if not len(states):
         return weight, stiff
-    touched = np.abs(states) > 1e-9
-    # states of self-stress that share bars belong together
-    shared = csr_array(touched.astype(float))
-    _, group = connected_components(shared @ shared.T, directed=False)
     soft = system.compliance[system.row_member] * system.length0[system.row_member] + system.yielding[system.row_member]
     soft[system.row_kind != LENGTH] = np.nan
+    # states of self-stress that share bars belong together: nodes of a graph, first of the states, then of the bars
+    state, bar = np.nonzero(np.abs(states) > 1e-9)
+    size = sum(states.shape)
+    graph = csr_array((np.ones(len(bar)), (state, len(states) + bar)), shape=(size, size))
+    bars = np.unique(bar)
+    group = connected_components(graph, directed=False)[1][len(states) + bars]
     # w = l/(E A), scaled to a mean of 1, where all bars of the group have one
-    for g in np.unique(group):
-        bars = touched[group == g].any(axis=0)
-        if np.isfinite(soft[bars]).all():
-            weight[bars], stiff[bars] = soft[bars] / soft[bars].mean(), True
+    mean = (np.bincount(group, soft[bars]) / np.maximum(np.bincount(group), 1))[group]
+    known = np.isfinite(mean)
+    weight[bars[known]], stiff[bars[known]] = (soft[bars] / mean)[known], True
     return weight, stiff
 
 

@@ -47,8 +47,11 @@ def scalar_motions(system: System, x: NDArray[np.float64], v: NDArray[np.float64
 
 def named_motions(system: System, x: NDArray[np.float64], v: NDArray[np.float64] | None = None) -> Histories:
     """`scalar_motions` of those with a name, (times, force_elements)."""
+    found = scalar_motions(system, x, v)
+    if on_coordinates(system) is None:
+        return found
     first = spans_of(system)["friction"].stop
-    return Histories(*(one[:, first:] for one in scalar_motions(system, x, v)))
+    return Histories(*(one[:, first:] for one in found))
 
 
 EDGE = 0.02

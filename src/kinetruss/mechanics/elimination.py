@@ -91,7 +91,8 @@ class Elimination:
         """Whether the given rows have the rank of the first pivots, by both bounds."""
         if not rank:
             return not self.J[rows].any()
-        size = np.abs(self.J[rows])
+        J = self.J if rows.all() else self.J[rows]
+        size = np.abs(J)
         top = float(np.sqrt(size.sum(axis=0).max() * size.sum(axis=1).max()))
         g = np.random.default_rng(rank).standard_normal((PROBES, rank))
         y = np.zeros((PROBES, self.J.shape[1]))
@@ -99,13 +100,13 @@ class Elimination:
         back = np.empty_like(y)
         back[:, self._columns] = y
         inverse = float(np.linalg.norm(y, axis=1).max())
-        exact = float(np.abs(back @ self.J[self._rows[:rank]].T - g).max())
+        exact = float(np.abs((back @ self.J.T)[:, self._rows[:rank]] - g).max())
         if not (exact < 1e-6 and DOUBT * inverse * ABOVE * top < 1.0):
             return False
-        if rank == min(rows.sum(), self.J.shape[1]):
+        if rank == min(J.shape):
             return True
-        rest = self.self_stress[rows[self.redundant]][:, rows] @ self.J[rows]
-        return bool(np.linalg.norm(rest) < BELOW * np.linalg.norm(self.J[rows], axis=1).max())
+        rest = self.self_stress[rows[self.redundant]][:, rows] @ J
+        return bool(np.linalg.norm(rest) < BELOW * np.linalg.norm(J, axis=1).max())
 
 
 def _empty(a: NDArray[np.float64]) -> Reduced:

@@ -11,6 +11,7 @@ from scipy.sparse import coo_array, csr_array, diags_array, vstack
 
 from kinetruss.display import counted
 from kinetruss.elements.beam_matrices import mode_gradients
+from kinetruss.elements.caching import cached
 from kinetruss.errors import Fault, InputError, few
 from kinetruss.kernels.structure.structure import LENGTH, SUM
 from kinetruss.mechanics.arguments import positions_of
@@ -253,25 +254,24 @@ def mobility_at(
     of its beams (`beam_deformations`); by default none.
     """
     found = Deformations(csr_array((0, x.size)), ()) if held is None else held(system, x)
-    J, more = constraint_jacobian(system, x)[:, system.free], found.rows[:, system.free]
     own = np.append(system.row_drive < 0, np.ones(len(found.names), np.bool_))
-    sure = None
-    if not found.names:
-        sure = eliminated(system, x) if max(J.shape) <= QUICK else None
-    else:
-        J = csr_array(vstack([J, more]))
-        if max(J.shape) <= QUICK:
+    quick = max(len(own), len(system.free)) <= QUICK
+    sure = eliminated(system, x) if quick and not found.names else None
+    J: Any = constraint_jacobian(system, x)[:, system.free] if sure is None else sure.J
+    if found.names:
+        J = csr_array(vstack([J, found.rows[:, system.free]]))
+        if quick:
             from kinetruss.mechanics.elimination import Elimination  # kernels, which few checks need
 
             whole = Elimination(J.toarray(), ~own)
             sure = whole if whole.sure else None
-    spaces = Spaces(J, lambda change: _hardly_strains(system, x, change, more), sure)
+    spaces = Spaces(J, lambda change: _hardly_strains(system, x, change, found.rows[:, system.free]), sure)
     if sure is not None:
         rank = sure.first
     else:
         rank = spaces.rank if own.all() else Spaces(J[own], spaces.near).rank
     rows, columns = J.shape
-    driven, counted = len(system.coordinate_drive), _counted(system, own[: len(system.row_kind)])
+    driven, counted = len(system.coordinate_drive), _counted(system)
     return Mobility(
         **counted.of,
         beams=sum(name in system.given.beams for name in set(found.names)),
@@ -295,9 +295,10 @@ class _Counted(NamedTuple):
     braces: int
 
 
-def _counted(system: System, own: NDArray[np.bool_]) -> _Counted:
-    """Coordinates and parts as the user has them, without those that stand for others; own (rows,) : rows without a drive."""
-    dim, driven, inner = system.dim, len(system.coordinate_drive), system.inner
+@cached(of_records=True)
+def _counted(system: System) -> _Counted:
+    """Coordinates and parts as the user has them, without those that stand for others."""
+    dim, driven, inner, own = system.dim, len(system.coordinate_drive), system.inner, system.row_drive < 0
     idle = (dim - 1) * sum(node.scalar for node in system.model.nodes.values())
     # of inner nodes and the bars that hold them only the rotations count that they represent
     places = np.array([system.node_index(name) for name in inner.nodes], np.int64)

@@ -34,7 +34,8 @@ def ranked(sizes: NDArray[np.float64], least: float = 0.0) -> list[int]:
     depend on the processor.
     """
     top = float(sizes.max(initial=0.0))
-    order = [int(i) for i in np.argsort(-sizes, kind="stable") if sizes[i] > least * top]
+    order = np.argsort(-sizes, kind="stable")
+    order = order[sizes[order] > least * top].tolist()
     found: list[int] = []
     run: list[int] = []
     for i in order:

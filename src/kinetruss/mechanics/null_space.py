@@ -67,13 +67,27 @@ class Spaces:
     def __init__(
         self, J: Any, near: Callable[[NDArray[np.float64]], bool] | None = None, sure: Elimination | None = None
     ) -> None:
-        J = csr_array(J)
+        self.shape, self.near, self.sure, self._given = J.shape, near, sure, J
+        self._small = max(J.shape) <= DENSE
+
+    @cached_property
+    def _whole(self) -> csr_array:
+        J = csr_array(self._given)
         J.eliminate_zeros()
-        self.shape, self.near, self.sure = J.shape, near, sure
-        self._rows, self._columns = (np.unique(places) for places in J.nonzero())
-        small = max(J.shape) <= DENSE
-        self._J = J if small else csr_array(J[self._rows][:, self._columns])
-        self._small = small
+        return J
+
+    @cached_property
+    def _rows(self) -> NDArray[np.int64]:
+        return np.unique(self._whole.nonzero()[0])
+
+    @cached_property
+    def _columns(self) -> NDArray[np.int64]:
+        return np.unique(self._whole.nonzero()[1])
+
+    @cached_property
+    def _J(self) -> csr_array:
+        """J, of a large one without its empty rows and columns."""
+        return self._whole if self._small else csr_array(self._whole[self._rows][:, self._columns])
 
     @cached_property
     def _svd(self) -> Any:

@@ -25,7 +25,7 @@ from kinetruss.elements.numbers import Numbers
 from kinetruss.errors import AnalysisError
 from kinetruss.mechanics.gathered import Joined, arrays_at, gathered
 from kinetruss.mechanics.loads import case_loads, unit_loads_of
-from kinetruss.mechanics.system import System, compile
+from kinetruss.mechanics.system import System, compile, compiles_to
 from kinetruss.mechanics.tables import elements
 
 if TYPE_CHECKING:
@@ -59,6 +59,18 @@ def system_at(system: System, changes: Mapping[str, NDArray[Any]]) -> System:
     kind: Any = complex if any(np.iscomplexobj(one) for one in given.values()) else float
     every = {name: np.broadcast_to(one, (*lead, *own[name].shape)).astype(kind) for name, one in given.items()}
     return replace(system, **arrays_at(joined, Numbers(every, lead, kind)))
+
+
+def compile_moved(model: Model, last: Model) -> None:
+    """Compile a model that is `last` with nodes at other places: who is joined with whom is not asked again."""
+    system = compile(last)
+    if model.whole.inner.nodes or model.supports:
+        return  # their structure depends on places: it is compiled by itself
+    joined, own = _gathered(system)
+    place = np.array([node.at for node in model.nodes.values()], float)
+    found = replace(system_at(system, {"place": place}), given=model, model=model.whole)
+    keep(_gathered, found, (joined, Numbers({**own, "place": place})))
+    compiles_to(found, system)
 
 
 def system_of(system: System, changes: Mapping[str, NDArray[np.float64]], model: Model) -> System | None:

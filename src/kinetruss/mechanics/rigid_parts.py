@@ -7,9 +7,10 @@ size, as a bar has.
 
 from __future__ import annotations
 
+import math
 from collections import deque
 from dataclasses import dataclass
-from itertools import combinations, permutations
+from itertools import combinations
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
@@ -19,6 +20,8 @@ from kinetruss.kernels.coordinates.forms import PRODUCT
 from kinetruss.kernels.structure.structure import ALONE, LENGTH, RIGID_SHAPE, SIZE, SUM
 
 if TYPE_CHECKING:
+    from collections.abc import Iterable
+
     from numpy.typing import NDArray
 
     from kinetruss.mechanics.system import System
@@ -26,6 +29,8 @@ if TYPE_CHECKING:
 
 FLAT = 1e-9
 """Height of a triangle or a tetrahedron over its longest side below which rounding does not let it hold its apex."""
+WELL = 0.1
+"""The same, from which on a base serves as well as a higher one: so that it does not change with every place."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -44,13 +49,13 @@ class RigidPart:
 @cached()
 def rigid_parts(system: System) -> tuple[RigidPart, ...]:
     """The rigid parts of three nodes or more, and the supports with what rigid bars fix to them."""
-    near = _joined(system)
-    ground = {n for n in range(len(system.nodes)) if _stands(system, n)}
-    found = [_grown(system, near, ground)] if len(ground) >= system.dim else []
+    near, places = _joined(system), system.x0.tolist()
+    ground = _ground(system)
+    found = [_grown(places, near, ground, system.dim)] if len(ground) >= system.dim else []
     for i, around in enumerate(near):
         for j, k in combinations(sorted(n for n in around if n > i), 2):
-            if k in near[j] and not any({i, j, k} <= nodes for nodes, _ in found) and _height(system, (i, j), k) > FLAT:
-                start = _grown(system, near, {i, j, k})
+            if k in near[j] and not any({i, j, k} <= nodes for nodes, _ in found) and _height(places, (i, j), k) > FLAT:
+                start = _grown(places, near, {i, j, k}, system.dim)
                 found.append((start[0], [*([(i, j, k)] if system.dim == 2 else []), *start[1]]))
     found = _merged(found, system.dim)
     parts = []
@@ -61,15 +66,16 @@ def rigid_parts(system: System) -> tuple[RigidPart, ...]:
     return tuple(parts)
 
 
+Places = list[list[float]]
 Grown = tuple[set[int], list[tuple[int, ...]]]
 
 
 def _joined(system: System) -> list[set[int]]:
     """The nodes at a constant distance from each node."""
     near: list[set[int]] = [set() for _ in system.nodes]
-    for r in np.flatnonzero(_constant(system)):
-        for one, two in permutations(_touched(system, int(r)), 2):
-            near[one].add(two)
+    for touched, constant in zip(_touched(system), _constant(system).tolist(), strict=True):
+        for one in touched if constant else ():
+            near[one] |= touched - {one}
     return near
 
 
@@ -80,37 +86,53 @@ def _constant(system: System) -> NDArray[np.bool_]:
     return np.asarray(keeps & (system.row_drive < 0))
 
 
-def _stands(system: System, node: int) -> bool:
-    """Whether no coordinate of a node moves."""
-    flats = range(3 * node, 3 * node + 3)
-    if system.nodes[node] in system.model.support_motion or not system.prescribed[flats.start : flats.stop].all():
-        return False
-    return set(system.coordinate_drive[:, 0].tolist()).isdisjoint(flats)
+def _ground(system: System) -> set[int]:
+    """Nodes of which no coordinate moves."""
+    still = system.prescribed.copy()
+    still[system.coordinate_drive[:, 0]] = False
+    found = np.flatnonzero(still.reshape(-1, 3).all(axis=1)).tolist()
+    return {n for n in found if system.nodes[n] not in system.model.support_motion}
 
 
-def _grown(system: System, near: list[set[int]], start: set[int]) -> Grown:
+def _grown(places: Places, near: list[set[int]], start: set[int], dim: int) -> Grown:
     """The nodes with all that rigid bars join to `dim` of them, and the sides on which these stand."""
     nodes, hands = set(start), []
     ahead = deque(sorted({n for one in nodes for n in near[one]} - nodes))
     while ahead:
         n = ahead.popleft()
         held = sorted(near[n] & nodes)
-        if n in nodes or len(held) < system.dim:
+        if n in nodes or len(held) < dim:
             continue
-        bases = list(combinations(held[:8], system.dim))
-        base = max(bases, key=lambda some: _height(system, some, n))
-        if _height(system, base, n) > FLAT:
+        base, height = _base(places, combinations(held[:8], dim), n)
+        if height > FLAT:
             nodes.add(n)
             hands.append((*base, n))
             ahead.extend(sorted(near[n] - nodes))
     return nodes, hands
 
 
-def _height(system: System, base: tuple[int, ...], node: int) -> float:
+def _base(places: Places, bases: Iterable[tuple[int, ...]], node: int) -> tuple[tuple[int, ...], float]:
+    """The first base over which a node stands well, else that over which it stands highest, and the height."""
+    best: tuple[int, ...] = ()
+    highest = -1.0
+    for base in bases:
+        if (height := _height(places, base, node)) > highest:
+            best, highest = base, height
+        if highest > WELL:
+            break
+    return best, highest
+
+
+def _height(places: Places, base: tuple[int, ...], node: int) -> float:
     """Least singular value of the edges from a node to a base, over the largest: 0 on its line or plane."""
-    edges = system.x0[list(base)] - system.x0[node]
-    values = np.linalg.svd(edges, compute_uv=False)
-    return float(values[-1] / max(values[0], 1e-300))
+    if len(base) > 2:
+        values = np.linalg.svd(np.subtract([places[n] for n in base], places[node]), compute_uv=False)
+        return float(values[-1] / max(values[0], 1e-300))
+    at, one, two = (places[n] for n in (node, *base))
+    a, b, c, d, e, f = one[0] - at[0], one[1] - at[1], one[2] - at[2], two[0] - at[0], two[1] - at[1], two[2] - at[2]
+    # the area is the product of both singular values, and the mean that of their squares
+    area, mean = math.hypot(b * f - c * e, c * d - a * f, a * e - b * d), (a * a + b * b + c * c + d * d + e * e + f * f) / 2
+    return area / max(mean + math.sqrt(max(mean * mean - area * area, 0.0)), 1e-300)
 
 
 def _merged(found: list[Grown], shared: int) -> list[Grown]:
@@ -128,26 +150,27 @@ def _used(system: System, found: list[Grown]) -> list[set[int]]:
     """The nodes of each part that supports, or rows other than its own bars, depend on."""
     used: list[set[int]] = [set() for _ in found]
     of: dict[int, list[int]] = {}
+    held = set(np.flatnonzero(system.prescribed.reshape(-1, 3)[:, : system.dim].any(axis=1)).tolist())
     for k, (nodes, _) in enumerate(found):
+        used[k] |= nodes & held
         for n in nodes:
             of.setdefault(n, []).append(k)
-            if system.prescribed[3 * n : 3 * n + system.dim].any():
-                used[k].add(n)
-    constant = _constant(system)
-    for r in range(len(system.row_member)):
-        touched = _touched(system, r)
+    for touched, constant in zip(_touched(system), _constant(system).tolist(), strict=True):
         for n in touched:
             for k in of.get(n, ()):
-                if not (constant[r] and found[k][0] >= touched):
+                if not (constant and found[k][0] >= touched):
                     used[k].add(n)
     return used
 
 
-def _touched(system: System, r: int) -> set[int]:
-    if system.row_kind[r] == SUM:
+def _touched(system: System) -> list[set[int]]:
+    """The nodes that each row depends on."""
+    ends = (which[system.row_member].tolist() for which in (system.p, system.q))
+    found = [{p, q} for p, q in zip(*ends, strict=True)]
+    for r in np.flatnonzero(system.row_kind == SUM):
         first, last = system.measure_ptr[system.row_measure[r] : system.row_measure[r] + 2]
-        return {int(flat) // 3 for flat in system.term_at[first:last].ravel()}
-    return {int(system.p[system.row_member[r]]), int(system.q[system.row_member[r]])}
+        found[r] = {int(flat) // 3 for flat in system.term_at[first:last].ravel()}
+    return found
 
 
 def part_arrays(system: System, row: NDArray[np.int64], ptr: NDArray[np.int64], col: NDArray[np.int64]) -> dict[str, Any]:
@@ -156,7 +179,8 @@ def part_arrays(system: System, row: NDArray[np.int64], ptr: NDArray[np.int64], 
     counts, seen = np.full(len(row), ALONE, np.int64), np.ones(len(col))
     hidden = {n for one in parts for n in one.nodes - one.used}
     seen[[k for k, flat in enumerate(col) if int(flat) // 3 in hidden]] = 0.0
-    ends = [_touched(system, int(r)) if constant[r] else set() for r in row]
+    touched = _touched(system)
+    ends = [touched[r] if constant[r] else set() for r in row]
     sizes, size_ptr, hands, hand_ptr = list[tuple[int, int]](), [0], list[tuple[int, ...]](), [0]
     block_ptr = [0]
     for b in range(len(ptr) - 1):

@@ -174,20 +174,22 @@ class System:
 
     def row_name(self, r: Any) -> str:
         """The name of what row r prescribes: a member, ``angle of`` one, a drive or a coupling."""
-        return f"angle of {self._of(r)}" if self._turns(r) else self._of(r)
+        return f"angle of {self._held[r]}" if self._turns(r) else self._held[r]
 
     def part_of(self, r: Any) -> str:
         """The same, of an inner part its owner."""
-        part = self.inner.part_of(self._of(r))
-        return f"angle of {part}" if self._turns(r) and part == self._of(r) else part
+        part = self.inner.part_of(self._held[r])
+        return f"angle of {part}" if self._turns(r) and part == self._held[r] else part
 
     def parts_of(self, rows: Any) -> list[str]:
         """The user's parts to which some rows belong, each once."""
-        return list(dict.fromkeys(self.inner.part_of(self._of(r)) for r in rows))
+        return list(dict.fromkeys(map(self.inner.part_of, map(self._held.__getitem__, rows))))
 
-    def _of(self, r: Any) -> str:
-        """The member, drive or coupling of a row."""
-        return str(self.members[self.row_member[r]] if self.row_measure[r] < 0 else self.measures[self.row_measure[r]])
+    @cached_property
+    def _held(self) -> list[str]:
+        """The member, drive or coupling of every row."""
+        rows = zip(self.row_member.tolist(), self.row_measure.tolist(), strict=True)
+        return [self.members[i] if m < 0 else self.measures[m] for i, m in rows]
 
     def _turns(self, r: Any) -> bool:
         return bool(self.row_measure[r] < 0 and self.row_kind[r] == ANGLE)
@@ -197,7 +199,7 @@ class System:
         """`row_name` of all rows."""
         plain = (self.row_measure < 0) & (self.row_kind != ANGLE)
         if plain.all():
-            return tuple(self.members[m] for m in self.row_member.tolist())
+            return tuple(self._held)
         return tuple(self.row_name(r) for r in range(len(plain)))
 
     def node_index(self, name: str) -> int:
@@ -251,26 +253,37 @@ def standing_for(system: System) -> Model:
 
     Its records have the numbers of before: only for what reads the arrays alone. The last few are kept.
     """
-    model, own = copy(system.given), compile(system.given).memory
-    found = _instead[ByIdentity(model)] = replace(system, given=model)
-    found.memory.update({find: own[find] for find in OF_RECORDS if find in own})
+    model = copy(system.given)
+    compiles_to(replace(system, given=model), compile(system.given))
+    return model
+
+
+def compiles_to(found: System, other: System) -> None:
+    """Let the model of a system compile to it. other : that of a model with the same records, but for places of nodes."""
+    _instead[ByIdentity(found.given)] = _sealed(found)
+    found.memory.update({find: other.memory[find] for find in OF_RECORDS if find in other.memory})
     for oldest in list(_instead)[:-8]:
         _instead.pop(oldest, None)
-    return model
 
 
 @lru_cache(maxsize=32)
 def _compiled(key: ByIdentity) -> System:
     given, model = key.model, key.model.whole
-    system = System(
-        given=given,
-        model=model,
-        dim=model.dim,
-        nodes=tuple(model.nodes),
-        members=tuple(model.members),
-        drives=tuple(model.all_drives),
-        **arrays_at(*gathered(model)),
+    return _sealed(
+        System(
+            given=given,
+            model=model,
+            dim=model.dim,
+            nodes=tuple(model.nodes),
+            members=tuple(model.members),
+            drives=tuple(model.all_drives),
+            **arrays_at(*gathered(model)),
+        )
     )
+
+
+def _sealed(system: System) -> System:
+    """The system, whose arrays cannot be written to any more."""
     for value in vars(system).values():
         if isinstance(value, np.ndarray):
             value.setflags(write=False)

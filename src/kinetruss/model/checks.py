@@ -51,11 +51,11 @@ def faults(model: Model) -> list[Fault]:
     return faults_of(model.whole)
 
 
-def faults_of(model: WholeModel) -> list[Fault]:
-    """`faults` of the model with this whole."""
+def faults_of(model: WholeModel, named: bool = False) -> list[Fault]:
+    """`faults` of the model with this whole. named : all names are known to be those of entries."""
     dim = _dim(model)
     return [
-        *unknown_names(model, model, ()),
+        *(() if named else unknown_names(model, model, ())),
         *_nodes(model, dim),
         *_members(model),
         *planar_body_faults(model),
@@ -138,10 +138,11 @@ def _compliance(model: ModelData, name: str, member: Active) -> Iterator[Fault]:
 def _members(model: ModelData) -> Iterator[Fault]:
     for name in (one for one in model.active if one in model.bars):
         yield Fault(("active", name), f"{name!r} is also the name of a bar.", "Give each member its own name.")
+    dim = _dim(model)
     for table, members in (("bars", model.bars), ("active", model.active)):
         for name, member in members.items():
             yield from _ends(model, member, (table, name))
-            if any(member.friction) and _dim(model) == 3:
+            if dim == 3 and any(member.friction):
                 message = "is given in space, where a bar turns about its pin in more than one way."
                 yield Fault((table, name, "friction"), message, "Leave it out, or make the model planar.", about=(("nodes",),))
             if member.orientation is not None:

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Hashable
+from collections.abc import Hashable, Mapping
 from functools import cached_property
 from typing import Any, Self
 
@@ -16,6 +16,7 @@ from kinetruss.model.description import described
 from kinetruss.model.hubs import hub_faults
 from kinetruss.model.members import Node
 from kinetruss.model.recipes import Recipe
+from kinetruss.model.table import ReadOnly
 from kinetruss.model.whole import WholeModel, expanded
 
 
@@ -68,6 +69,11 @@ class Model(ModelData):
 
     @model_validator(mode="after")
     def _consistent(self) -> Model:
+        self._check()
+        return self
+
+    def _check(self, named: bool = False) -> None:
+        """Refuse faults of the model as a whole, and keep its inner parts. named : the names in its records are known."""
         odd, fitting = misfits(self)
         # data that no longer name a node of another dimension can still be checked
         judged = self if not odd else BaseModel.model_copy(self, update={"nodes": fitting})
@@ -75,10 +81,9 @@ class Model(ModelData):
             raise ModelError([*odd, *wrong])
         whole = expanded(judged)
         lost = Lost(("nodes", str(fault.path[1])) for fault in odd)
-        if found := [*odd, *(fault for fault in faults_of(whole) if not rests_on(fault, lost))]:
+        if found := [*odd, *(fault for fault in faults_of(whole, named) if not rests_on(fault, lost))]:
             raise ModelError(found)
         self.__dict__["whole"] = whole
-        return self
 
     @cached_property
     def whole(self) -> WholeModel:
@@ -105,11 +110,35 @@ class Model(ModelData):
         >>> one.with_(title="a bar").title
         'a bar'
         """
-        fields = {name: getattr(self, name) for name in self.model_fields_set}
-        found = type(self)(**fields | changes)
+        found = type(self)(**self._given() | changes)
         if self.recipe is not None:
             self.recipe.noted(found, tuple(((name,), value) for name, value in changes.items()))
         return found
+
+    def moved(self, nodes: Mapping[str, Node]) -> Self:
+        """The model with its nodes at other places: the same nodes but for `at`. Other records are not looked at again, and all
+        that depends on places is checked.
+
+        Raises
+        ------
+        ModelError : faults of these places.
+
+        >>> import kinetruss as kt
+        >>> one = kt.Model(nodes={"A": (0, 0), "B": (1, 0)}, bars={"b": ("A", "B")}, fixed=["A"])
+        >>> one.moved(one.nodes | {"B": kt.Node(at=(2, 0))}).nodes["B"].at
+        (2.0, 0.0)
+        """
+        found: Self = type(self).model_construct(self.model_fields_set, **self._given() | {"nodes": ReadOnly(nodes)})
+        try:
+            found._check(named=True)
+        except ModelError:
+            return self.with_(nodes=nodes)  # which tells the faults as those of a new model
+        if self.recipe is not None:
+            self.recipe.noted(found, ((("nodes",), nodes),))
+        return found
+
+    def _given(self) -> dict[str, Any]:
+        return {name: getattr(self, name) for name in self.model_fields_set}
 
 
 def _dimension_of(nodes: Any) -> int:

@@ -35,7 +35,7 @@ HELD = "held"
 """The axis of all supported nodes, inner ones too."""
 
 
-@cached()
+@cached(of_records=True)
 def part_axes(system: System) -> dict[str, Any]:
     """The axes ``node``, ``axis`` and ``member`` of a result, and what marks inner parts along them."""
     whole, tips = system.model, {arm.name for arms in system.inner.arms.values() for arm in arms}
@@ -51,7 +51,7 @@ def part_axes(system: System) -> dict[str, Any]:
     return found | {MARKS[axis]: (axis, np.array(own)) for axis, own in inner.items() if any(own)}
 
 
-@cached()
+@cached(of_records=True)
 def support_axes(system: System) -> dict[str, Any]:
     """The axes of `reactions`."""
     names = _supports(system)[0]

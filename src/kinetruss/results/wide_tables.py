@@ -221,7 +221,7 @@ def unit_along(axis: str, units: Sequence[str], name: str, none: str) -> Found:
     return name, {name: (axis, list(units))}
 
 
-@cached()
+@cached(of_records=True)
 def drive_unit(system: System) -> Found:
     """The unit of the positions of drives, as of `unit_along`."""
     return unit_along("drive", [_unit(system.model.all_drives.get(name)) for name in system.drives], "drive_unit", "m")

@@ -8,6 +8,7 @@ from itertools import pairwise
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
+from pydantic import ValidationError
 
 from kinetruss import statics
 from kinetruss.display import quantity
@@ -15,8 +16,9 @@ from kinetruss.errors import Fault, KinetrussError, ModelError
 from kinetruss.mechanics import arrange, compile
 from kinetruss.mechanics.elements import has_elements
 from kinetruss.mechanics.mobility import beam_deformations, mobility_at
+from kinetruss.mechanics.numbers import compile_moved
 from kinetruss.mechanics.positions import drive_values, row_values
-from kinetruss.model import LengthDrive, Model, of_file
+from kinetruss.model import LengthDrive, Model, Node, of_file
 from kinetruss.statics.search import projected, row_errors
 from kinetruss.studio.edits import SOFT
 from kinetruss.studio.poses import CLOSED, EXACT, LARGEST, MANY, at_rest, strength_of
@@ -164,9 +166,33 @@ def judged(data: Mapping[str, Any], fine: bool = True, last: Judged | None = Non
 def _model(data: Mapping[str, Any], last: Judged | None) -> Model:
     """The model of the data; after a move of nodes all other records are those of before."""
     if last is not None and last.model is not None:
-        return last.model.with_(nodes=data["nodes"])
+        nodes = _moved(data["nodes"], last.model)
+        if nodes is None:
+            return last.model.with_(nodes=data["nodes"])
+        model = last.model.moved(nodes)
+        compile_moved(model, last.model)
+        return model
     with of_file():
         return Model(**data) if data.get("nodes") else Model(**{**data, "nodes": {}})
+
+
+def _moved(entries: Mapping[str, Any], model: Model) -> dict[str, Node] | None:
+    """The nodes of a model at the places of their entries; None if more than places differ, or some are faulty."""
+    nodes: dict[str, Node] = dict(model.nodes)
+    if list(entries) != list(nodes):
+        return None
+    for name, entry in entries.items():
+        node = nodes[name]
+        if isinstance(entry, list) and tuple(entry) == node.at and node.model_fields_set == {"at"}:
+            continue
+        try:
+            own = Node.model_validate(entry)
+        except ValidationError:
+            return None
+        if vars(own) | {"at": node.at} != vars(node):
+            return None
+        nodes[name] = own
+    return nodes
 
 
 def _closed(system: System) -> tuple[NDArray[np.float64], dict[str, tuple[float, float]]]:

@@ -212,8 +212,7 @@ def drawing_of(session: Shown, light: bool = False) -> Record:
     data, found = drawing.state.data, drawing.found
     places = _places(drawing)
     members = {name: ends_of(entry) for table in MEMBERS for name, entry in (data.get(table) or {}).items()}
-    known = {name: ends for name, ends in members.items() if all(end in places for end in ends)}
-    lines = [(name, list(pair), k > 0) for name, ends in known.items() for k, pair in enumerate(pairwise(ends))]
+    known = {name: ends for name, ends in members.items() if all(map(places.__contains__, ends))}
     record = {
         "kind": "moved" if light else "drawing",
         "revision": drawing.revision,
@@ -227,11 +226,14 @@ def drawing_of(session: Shown, light: bool = False) -> Record:
         "mobility": _mobility(found, light),
         "drives": _drives(found),
         **_forces(
-            found.forces, [name for name, *_ in lines], clamps(compile(found.model)) if found.model is not None else set()
+            found.forces,
+            [name for name, ends in known.items() for _ in ends[1:]],
+            clamps(compile(found.model)) if found.model is not None else set(),
         ),
     }
     if light:
         return record
+    lines = [(name, list(pair), k > 0) for name, ends in known.items() for k, pair in enumerate(pairwise(ends))]
     text, slides = drawing.state.text, _slides(found)
     return record | {
         "dim": drawing.dim,
@@ -452,15 +454,14 @@ def _forces(forces: Forces | None, members: list[str], moments: set[str]) -> dic
     if forces is None:
         return {"force": None, "reaction": {}, "reaction_moment": {}, "unsure": []}
     arrays = forces.arrays
-    names = [str(name) for name in arrays["member"].values]
-    values = dict(zip(names, arrays["member_force"].values[0].tolist(), strict=True))
+    values = dict(zip(arrays["member"].values.tolist(), map(number, arrays["member_force"].values[0].tolist()), strict=True))
     on: dict[str, dict[str, Any]] = {"reaction": {}, "reaction_moment": {}}
     for what, own in on.items():
         if what in arrays:
             rows = zip(map(str, arrays["support"].values), arrays[what].values[0].tolist(), strict=True)
             own |= {name: [number(one) for one in row] for name, row in rows if what == "reaction" or name in moments}
     return {
-        "force": [number(values.get(name, np.nan)) for name in members],
+        "force": [values.get(name) for name in members],
         **on,
         "unsure": list(forces.attrs.get("not_unique", ())),
     }
