@@ -286,6 +286,10 @@ def test_in_space_axes_are_normals_of_the_work_plane_and_one_seen_edge_on_is_sai
     own.use("gear", (B1, B2))
     assert own.data()["couplings"]["gear"]["terms"] == [[about("b1", axis="y"), -1], [about("b2", axis="z"), -1]]
     own.anew()
+    for tool, given in (("hinge", (B1,)), ("spring", ("C", "E")), ("hinge", (B3,))):  # of which no two have one name
+        own.use(tool, given)
+    assert (list(own.data()["springs"]), list(own.data()["bars"])) == (["spring1", "spring3"], [*BARS, "spring2"])
+    own.anew()
     hand.js("draw.camera.look('front')")
     hand.js("draw.canvas.update()")
     box = hand.page.locator("svg.drawing").bounding_box()

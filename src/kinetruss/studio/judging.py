@@ -213,6 +213,8 @@ def _forces(
         found = np.array(rest.whole["position"].values)
         size = float(np.ptp(position, axis=0).max()) or 1.0
         sag = float(np.abs(found - position).max())
+        if not rest.stable and not (model.fixed or model.clamped or model.supports):
+            return None, "No forces yet: nothing holds the drawing."
         if not rest.stable or sag > 0.2 * size:
             return None, f"No forces: the nearest equilibrium is {'unstable' if not rest.stable else f'{sag:.3g} m away'}."
         return at_rest(model, found), f"Forces are those of the equilibrium, up to {sag:.3g} m from the drawing."

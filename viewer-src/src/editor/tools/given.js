@@ -4,10 +4,11 @@ import { svg } from "../../dom.js";
 import { scale } from "../../format.js";
 
 export const MEMBERS = ["bars", "active", "beams", "links"];
+const NAMED = [...MEMBERS, "cylinders", "drives", "couplings", "springs", "stops"]; // no two entries of these have one name
 
-/** The first name of a table that is free: stem (if `bare`), stem1, stem2, ...; the tables of members share their names. */
+/** The first name of a table that is free: stem (if `bare`), stem1, stem2, ... */
 export function freeName(data, table, stem, bare = true) {
-  const used = new Set((MEMBERS.includes(table) ? MEMBERS : [table]).flatMap((one) => Object.keys(data[one] || {})));
+  const used = new Set((NAMED.includes(table) ? NAMED : [table]).flatMap((one) => Object.keys(data[one] || {})));
   if (bare && !used.has(stem)) return stem;
   let k = bare ? 2 : 1;
   while (used.has(`${stem}${k}`)) k++;
