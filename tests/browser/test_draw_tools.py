@@ -149,7 +149,8 @@ def test_a_quick_return_gears_springs_and_dimensions(show, served):
     hand.pull((0, 0.2, 0), (0.1, 0.2, 0))
     tool(hand, "Slider")
     hand.click("D")
-    assert data(hand)["couplings"] == {"block": {"terms": [[{"kind": "offset", "line": ["A", "B"], "point": "D"}, 1]]}}
+    block = {"terms": [[{"kind": "offset", "line": ["A", "B"], "point": "D"}, 1]], "value": 0}
+    assert data(hand)["couplings"] == {"block": block}
     assert hand.state()["hints"] == []  # a block lies on its bar on purpose
     assert hand.page.locator(".drawing .block").count() == 1
     tool(hand, "Pin")

@@ -9,6 +9,7 @@ import pytest
 
 import kinetruss as kt
 from kinetruss.studio import Session
+from kinetruss.studio.first_use import used
 
 BEAM = [
     [["nodes", "A"], [0, 0]],
@@ -79,3 +80,65 @@ def test_a_block_on_a_bar_is_no_loose_end(session):
     block = {"terms": [[{"kind": "offset", "line": ["A", "B"], "point": "D"}, 1]]}
     drawn = ask(session, do="change", changes=[[["couplings", "block"], block]], words="a block")
     assert (drawn["hints"], drawn["pins"]) == ([], [])
+
+
+CRANK = [
+    [["nodes"], {"A": [0, 0], "B": [0, 0.2], "H": [0.4, 0.2], "G": [-0.3, 0.2]}],
+    [["fixed"], {"A": "xy", "H": "xy", "G": "xy"}],
+    [["bars", "crank"], ["A", "B"]],
+    [["bars", "spring1"], {"ends": ["H", "B"], "kind": "elastic", "stiffness": "2 kN/m"}],
+    [["bars", "rope1"], {"ends": ["G", "B"], "kind": "cable", "stiffness": "100 kN/m"}],
+    [["drives", "motor"], {"kind": "angle", "bar": "crank"}],
+    [["gravity"], [0, 0]],
+]
+
+
+def test_a_spring_and_a_rope_of_a_crank_pull_and_are_held_as_by_hand(session):
+    drawn = ask(session, do="change", changes=CRANK, words="a crank")
+    assert not any("all forces are zero" in words for words in drawn["missing"])
+    answer = ask(session, do="sweep", drives=["motor"])
+    header = json.loads(answer[4 : 4 + (size := int.from_bytes(answer[:4], "little"))])
+    arrays, at = {}, 4 + size
+    for name, shape in header["arrays"].items():
+        arrays[name] = np.frombuffer(answer, "<f4", int(np.prod(shape)), at).reshape(shape)
+        at += 4 * int(np.prod(shape))
+    angle = arrays["drive_position"][:, 0].astype(float)
+    tip = 0.2 * np.column_stack([np.cos(angle), np.sin(angle)])
+    torque = np.zeros(len(angle))
+    for name, end, drawn, stiffness in (("spring1", (0.4, 0.2), 0.4, 2000.0), ("rope1", (-0.3, 0.2), 0.3, 100e3)):
+        way = end - tip
+        length = np.linalg.norm(way, axis=1)
+        pull = stiffness * (length - drawn)
+        if name == "rope1":
+            assert (pull < 0).any()
+            pull = np.maximum(pull, 0.0)  # it only pulls
+        shown = arrays["member_force"][:, header["members"].index(name)]
+        np.testing.assert_allclose(shown, pull, atol=1e-6 * np.abs(pull).max())
+        torque -= pull / length * (tip[:, 0] * way[:, 1] - tip[:, 1] * way[:, 0])  # what holds the crank against it
+    np.testing.assert_allclose(arrays["drive_force"][:, 0], torque, atol=1e-6 * np.abs(torque).max())
+
+
+def test_a_spring_that_nothing_holds_is_said_to_be_held_by_nothing(session):
+    free = [
+        [["nodes"], {"A": [0, 0.3], "B": [0, 0]}],
+        [["bars", "spring1"], {"ends": ["A", "B"], "kind": "elastic", "stiffness": "1 kN/m"}],
+    ]
+    assert ask(session, do="change", changes=free, words="a spring")["why"] == "No forces yet: nothing holds the drawing."
+
+
+@pytest.mark.parametrize("dim", [2, 3])
+def test_what_is_compiled_before_for_drawings_is_computed_without_faults(dim):
+    for session in used(dim):
+        found = session.drawing.found
+        assert (found.faults, found.apart, found.forces is not None) == ([], {}, True)
+
+
+def test_the_angle_spring_of_one_member_in_space_has_the_axis_that_is_asked_for():
+    session = Session(draw=True, dim=3)
+    changes = [[["nodes"], {"A": [0, 0, 0], "B": [0, 0, 1]}], [["bars", "mast"], ["A", "B"]]]
+    ask(session, do="change", changes=changes, words="a mast")
+    refused = ask(session, do="make", what="angle_spring", members=["mast"])
+    assert "points along the axis" in refused["message"]
+    ask(session, do="rename", table="bars", old="mast", new="spring1")
+    made = ask(session, do="make", what="angle_spring", members=["spring1"], axis="y")
+    assert made["data"]["springs"]["spring2"]["coordinate"] == {"kind": "angle", "bar": "spring1", "axis": "y"}

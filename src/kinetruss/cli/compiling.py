@@ -24,7 +24,7 @@ Example:
 RUNS = (("double_octahedral_slew", "slew"),), (("double_pendulum", "fall"), ("double_pendulum", "long"))
 """Runs that together need the kernels of most models: a prescribed motion with forces, strength and motors; simulations.
 
-The groups share few kernels, so each group is compiled in its own process."""
+The groups share few kernels, so each group is compiled in its own process; drawings follow the first."""
 POLL = 0.5
 """Seconds between two checks of the kernels compiled by other processes."""
 STEP = 20
@@ -36,8 +36,8 @@ STEP = 20
 @click.option("--all", "rare", is_flag=True, help="Also what only some models need: hinges, membranes, large structures.")
 @click.option("-q", "--quiet", is_flag=True, help="Print nothing but errors.")
 def compile_kernels(as_json: bool, rare: bool, quiet: bool) -> None:
-    """Compile the kernels that most runs need, and keep them on disk. It takes some minutes, once; otherwise the first runs do
-    it.
+    """Compile the kernels that most runs and drawings need, and keep them on disk. It takes some minutes, once; otherwise the
+    first runs do it.
 
     Kernels that are already on disk are not compiled again. For container images: compile with `--all` when they are built;
     they then run without write permission. NUMBA_CACHE_DIR names another folder for the kernels.
@@ -80,10 +80,12 @@ def _run_all(look: Callable[[], None]) -> None:
     if processors() < len(RUNS):
         for group in RUNS:
             _run_group(group)
+        _draw()
         return
     with ProcessPoolExecutor(len(others), get_context("spawn"), _silenced) as pool:
         running = [pool.submit(_run_group, group) for group in others]
         _run_group(first)
+        _draw()  # shares kernels with the runs before, and few with those beside
         while wait(running, POLL).not_done:
             look()
         for one in running:
@@ -121,6 +123,14 @@ def _run_group(group: Sequence[tuple[str, str]]) -> None:
         warnings.simplefilter("error", KernelCacheWarning)
         for example, name in group:
             run(read(shelf[example][0]), name)
+
+
+def _draw() -> None:
+    """Draw what the tools of the studio draw: springs, ropes, gear wheels, blocks and beams are in none of the runs."""
+    from kinetruss.studio.first_use import used
+
+    for dim in (2, 3):
+        used(dim)
 
 
 @contextmanager

@@ -14,7 +14,7 @@ import numpy as np
 
 from kinetruss.elements.numbers import size
 from kinetruss.errors import InputError
-from kinetruss.kernels.coordinates.forms import ALONG, AROUND, COSINE, FIXED_AXIS, NODE, OFFSET
+from kinetruss.kernels.coordinates.forms import ALONG, AROUND, BESIDE, COSINE, FIXED_AXIS, NODE, OFFSET
 from kinetruss.kernels.coordinates.on_arrays import gradient_on_arrays, value_on_arrays
 from kinetruss.model import WholeModel, turns
 from kinetruss.model.data import FORCE_ELEMENTS
@@ -257,7 +257,10 @@ def _terms(model: WholeModel, index: dict[str, int], one: Any) -> list[Term]:
     if one.kind == "distance":
         return [Term(ALONG, at(one.nodes[1], one.nodes[0]))]
     if one.kind == "offset":
-        return [Term(OFFSET, at(one.point, *one.line))]
+        if model.dim == 2:
+            return [Term(OFFSET, at(one.point, *one.line))]
+        shares = (0.0, 1.0) if one.axis is None else (1.0, 0.0)
+        return [Term(BESIDE, at(one.point, *one.line), (*(one.axis or one.along), *shares, 0.0))]
     if one.kind == "hinge":
         if len(one.axis) == 1:
             return [Term(FIXED_AXIS, at(one.end, *one.axis)), Term(FIXED_AXIS, at(one.start, *one.axis), sign=-1.0)]

@@ -136,12 +136,22 @@ def _distance(model: ModelData, one: Any, path: Path) -> Iterator[Fault]:
 
 def _offset(model: ModelData, one: Any, path: Path, dim: int) -> Iterator[Fault]:
     names = (*one.line, one.point)
-    if dim == 3:
-        yield Fault(path, "is an offset from a line in space.", "Offsets are for planar models.", about=(("nodes",),))
+    ways = [way for way in (one.axis, one.along) if way is not None]
+    if dim == 2 and ways:
+        yield Fault(path, "gives a direction in a planar model.", "Leave out axis and along.", about=(("nodes",),))
+    elif dim == 3 and len(ways) != 1:
+        words = "an offset from a line in space counts in one direction across it."
+        mend = "Give axis or along: x, y, z or three numbers. A node on the line has two offsets, one of each."
+        yield Fault(path, words, mend, about=(("nodes",),))
     elif len(set(names)) < 3:
         yield Fault(path, "names a node twice.", "Give three different nodes.")
-    elif all(name in model.nodes for name in one.line) and _apart(model, *one.line) == 0.0:
-        yield Fault((*path, "line"), "joins two nodes that stand at one place.", "Give two nodes that are apart.")
+    elif all(name in model.nodes for name in one.line):
+        long = _apart(model, *one.line)
+        d = [b - a for a, b in zip(*(model.nodes[name].at for name in one.line), strict=True)]
+        if long == 0.0:
+            yield Fault((*path, "line"), "joins two nodes that stand at one place.", "Give two nodes that are apart.")
+        elif ways and _across(d, ways[0]) <= ON_AXIS * long:
+            yield Fault(path, "has a line that points along its direction.", "Give a direction across the line.")
 
 
 def _hinge(model: ModelData, one: Any, path: Path, dim: int) -> Iterator[Fault]:

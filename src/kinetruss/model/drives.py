@@ -179,14 +179,25 @@ Drive = Annotated[LengthDrive | AngleDrive | HingeDrive | CoordinateDrive, Field
 
 
 class OffsetCoordinate(Record):
-    """Distance (m) of a node from the line of two others in the plane, positive to the left of first -> second.
+    """Distance (m) of a node from the line of two others, positive to the left of first -> second.
+
+    In space it counts in one direction across the line, which `axis` or `along` gives. A node on the line has both distances 0,
+    that of an `axis` and that `along` it; neither is defined where the line points along that direction.
 
     line : two nodes on the line. point : the node whose distance it is.
+    axis : in space, x, y, z or a direction: the distance to the left of the line as seen against it, as in the plane against z.
+    along : in space, likewise: the distance towards it.
     """
 
     kind: Literal["offset"] = "offset"
     line: tuple[NodeName, NodeName]
     point: NodeName
+    axis: Direction | None = None
+    along: Direction | None = None
+
+    if TYPE_CHECKING:
+
+        def __init__(self, *, line: tuple[str, str], point: str, axis: Any = None, along: Any = None) -> None: ...
 
 
 class DistanceCoordinate(Record):
@@ -235,7 +246,7 @@ class Coupling(Record):
     or the distance of two nodes, the offset of a node from a line, or the cosine of a scalar. Angles count on over full turns;
     so the factors of two or more angles must be in a ratio of whole numbers. A screw pair couples a length and an angle, a gear
     pair two angles; the offsets of two points of one body from a line of another are the two conditions of a slider in the
-    plane.
+    plane, and both offsets of a node those of a block on a line in space.
 
     terms : pairs of coordinate and factor, a number: where it stands for a length, or for a length per angle, in m or m/rad.
     value : of the sum, m or rad; by default that in the model. Of coordinates of both kinds the factors say which it is.

@@ -24,6 +24,9 @@ SOFT = ("elastic", "cable")
 MEMBERS = ("bars", "active", "beams", "links")
 """Tables of members, which are drawn as lines."""
 
+NAMED = (*MEMBERS, "cylinders", "drives", "couplings", "springs", "stops")
+"""Tables of which no two entries have one name."""
+
 SHORT = {"nodes": "at", "bars": "ends", "beams": "ends", "links": "nodes"}
 """Tables whose entries may be the list of one field alone."""
 
@@ -33,7 +36,7 @@ ROUNDS = 20
 
 def new_name(data: Data, table: str, prefix: str) -> str:
     """The first name prefix1, prefix2, ... that is free; nodes of a drawing are A to Z first."""
-    tables = MEMBERS if table in MEMBERS else (table,)
+    tables = NAMED if table in NAMED else (table,)
     used = {name for one in tables for name in data.get(one) or {}}
     if not prefix:
         letters = [chr(code) for code in range(ord("A"), ord("Z") + 1)]

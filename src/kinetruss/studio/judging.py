@@ -241,6 +241,8 @@ def _forces(
         size = float(np.ptp(position, axis=0).max()) or 1.0
         sag = float(np.abs(found - position).max())
         away = quantity(sag, "m")
+        if not rest.stable and not (model.fixed or model.clamped or model.supports):
+            return None, "No forces yet: nothing holds the drawing."
         if not rest.stable or sag > 0.2 * size:
             return None, f"No forces: the nearest equilibrium is {f'{away} away' if rest.stable else 'unstable'}."
         return at_rest(model, found), f"Forces are those of the equilibrium, up to {away} from the drawing."

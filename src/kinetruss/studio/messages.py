@@ -266,9 +266,10 @@ def make(
     what: Part,
     nodes: Names = (),
     members: Names = (),
+    axis: Literal["x", "y", "z"] = "z",
 ) -> Answer:
-    """A new entry from what is picked, whole, to be changed."""
-    data, table, name = made(session.data, what, nodes, members, session.drives())
+    """A new entry from what is picked, whole, to be changed. axis : in space, about which the angle of one member counts."""
+    data, table, name = made(session.data, what, nodes, members, session.drives(), axis)
     picked = {"entry": [table, name]} | ({"member": name} if table in edits.MEMBERS else {})
     return session.take(data, f"making {name}", picked)
 

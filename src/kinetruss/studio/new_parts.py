@@ -129,12 +129,13 @@ SHARED = ("ends", "section", "material", "mass")
 
 
 def made(
-    data: Data, what: str, nodes: Sequence[str], members: Sequence[str], drives: Mapping[str, Any]
+    data: Data, what: str, nodes: Sequence[str], members: Sequence[str], drives: Mapping[str, Any], axis: str = "z"
 ) -> tuple[Data, str, str]:
     """The data with a new entry, the table of it and its name.
 
     what : active, beam, link, bar (of the picked member, in its place), angle_spring (between the picked members, or of one
     to the ground), body (of the picked nodes), run (of all drives). drives : name -> present value and unit, m or rad.
+    axis : in space, about which the angle of one member counts.
 
     Raises
     ------
@@ -143,7 +144,7 @@ def made(
     if what in ("active", "beam", "bar", "link"):
         return _member(data, what, members)
     if what == "angle_spring":
-        entry = {"coordinate": _angle(data, nodes, members), "stiffness": "10 N m/rad"}
+        entry = {"coordinate": _angle(data, nodes, members, axis), "stiffness": "10 N m/rad"}
         return added_entry(data, "springs", "spring", entry)
     if what == "body":
         ends = [end for name in members for end in ends_of(_found(data, name)[1])]
@@ -301,12 +302,12 @@ def _spread(places: NDArray[np.float64], count: int) -> tuple[list[int], float]:
     return [int(k) for k in groups[best]], float(spans[best])
 
 
-def _angle(data: Data, nodes: Sequence[str], members: Sequence[str]) -> dict[str, Any]:
+def _angle(data: Data, nodes: Sequence[str], members: Sequence[str], axis: str) -> dict[str, Any]:
     """The angle between two members at their common node, in space about the line to a picked node; or of one member."""
     dim = len(place_of(data, next(iter(data["nodes"])))) if data.get("nodes") else 2
     ends = [ends_of(_found(data, name)[1]) for name in members]
     if len(members) == 1:
-        return {"kind": "angle", "bar": members[0], **({"axis": "z"} if dim == 3 else {})}
+        return {"kind": "angle", "bar": members[0], **({"axis": axis} if dim == 3 else {})}
     shared = [end for end in ends[0] if end in ends[1]] if len(ends) == 2 else []
     if len(shared) != 1:
         raise InputError("Pick the two members that meet in the hinge, or one whose angle to the ground is meant.")

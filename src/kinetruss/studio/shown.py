@@ -23,7 +23,7 @@ from kinetruss.strength.curves import curves, factor_of, quantities_shown, sente
 from kinetruss.studio import sweeps
 from kinetruss.studio.catalogue import weights
 from kinetruss.studio.copies import CELLS
-from kinetruss.studio.edits import MEMBERS, ends_of, place_of, supports
+from kinetruss.studio.edits import MEMBERS, SOFT, ends_of, place_of, supports
 from kinetruss.studio.judging import LISTED_NODES, loose_ends, on_members
 from kinetruss.studio.let_go import let_go
 from kinetruss.studio.member_kinds import role_of
@@ -491,7 +491,10 @@ def _missing(drawing: Drawing) -> list[str]:
     if _floats(data):
         words.append("No support yet: pick a node and choose what holds it.")
     model = found.model
-    if model is not None and model.members and not model.loads:
+    yields = model is not None and (
+        bool(model.force_elements or model.cylinders) or any(bar.kind in SOFT for bar in model.bars.values())
+    )
+    if model is not None and model.members and not model.loads and not yields:  # springs pull by themselves
         heavy = any(node.mass for node in model.nodes.values()) or bool(model.bodies) or any(
             getattr(bar, "mass", None) or (model.section_of(bar) is not None and model.material_of(bar) is not None)
             for bar in model.bars.values()

@@ -8,7 +8,7 @@ import { symbolAt } from "../supports.js";
 import { Labels } from "./labels.js";
 import { bodies, springs } from "./marks.js";
 import { HANDS, spanOf } from "./measures.js";
-import { arrow } from "./tools/given.js";
+import { arrow, ring } from "./tools/given.js";
 import { couplings } from "./tools/joints.js";
 import { ARROW, largest } from "./tools/loads.js";
 import { dimensions } from "./tools/measuring.js";
@@ -232,6 +232,7 @@ export class Canvas {
     const pair = ends(bar);
     if (!pair) return [];
     const [a, b] = pair.map((end) => this.at(end)), turned = Math.atan2(b[1] - a[1], b[0] - a[0]);
+    if (unit === "rad" && axis) return [svg("path", { class: "drive", d: path(ring(this.draw, this.draw.at(pair[0]), 15 / this.draw.camera.scale, axis, this.draw.at(pair[1]).map((value, k) => value - this.draw.at(pair[0])[k]), [0, 0.8])) })];
     if (unit !== "rad") return [svg("rect", { class: "drive", x: -11, y: -5, width: 22, height: 10, rx: 3, transform: `translate(${(a[0] + b[0]) / 2} ${(a[1] + b[1]) / 2}) rotate(${(turned * 180) / Math.PI})` })];
     return [svg("path", { class: "drive", d: `M${a[0] + 15 * Math.cos(turned)} ${a[1] + 15 * Math.sin(turned)}A15 15 0 1 1 ${a[0] + 15 * Math.cos(turned + 1.2)} ${a[1] + 15 * Math.sin(turned + 1.2)}` })];
   }

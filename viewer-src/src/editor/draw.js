@@ -116,7 +116,7 @@ export class Draw extends Talk {
 
   /** A new part from what is picked. */
   make(what) {
-    return this.edit({ do: "make", what, nodes: [...this.picked.nodes], members: [...this.picked.members] });
+    return this.edit({ do: "make", what, axis: "xyz"[this.camera.plane.axis], nodes: [...this.picked.nodes], members: [...this.picked.members] });
   }
 
   /** Nodes to new places while they are dragged; of many wishes only the last counts. */
@@ -326,6 +326,7 @@ export class Draw extends Talk {
   }
 
   setTool(tool) {
+    if (this.task.takes(tool) && this.state?.dim === 3) return this.tell("Linkages are asked for in the plane. Begin a planar drawing: Draw in the plane, in the panel of an empty drawing.", true);
     this.tool = tool;
     if (!HANDS[tool]) this.several = false;
     this.tools.grabbed = null;

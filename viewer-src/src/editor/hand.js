@@ -4,8 +4,10 @@ import { clean } from "./camera.js";
 import { HANDS } from "./measures.js";
 import { TOOLS } from "./tools/index.js";
 
+const EDGE = "The work plane is seen edge-on. Turn the view, or choose another plane.";
 const SLACK = 4; // pixels that a click may move
 const LONG = 550; // ms after which the press of a finger is long
+const LIFT = { PageUp: 1, PageDown: -1 };
 const FEW_KEYS = { ArrowLeft: [-1, 0], ArrowRight: [1, 0], ArrowUp: [0, 1], ArrowDown: [0, -1] };
 
 /** The number of a drag: its moves are one step of undo. */
@@ -46,7 +48,7 @@ export class Hand {
     if (hit?.type === "node") return { node: hit.name, point: draw.at(hit.name) };
     const point = draw.camera.unproject(place);
     if (!point) {
-      draw.tell("The work plane is seen edge-on. Turn the view, or choose another plane.", true);
+      draw.tell(EDGE, true);
       return null;
     }
     const there = draw.snapped(point), own = draw.nodeAt(there); // the grid may lead to a node that was not hit
@@ -148,7 +150,7 @@ export class Hand {
     if (!act.moved && Math.hypot(place[0] - act.start[0], place[1] - act.start[1]) <= SLACK) return;
     if (draw.play.away) return this.back();
     const to = draw.camera.unproject(place, own[draw.camera.plane.axis] || 0);
-    if (!to) return draw.tell("The work plane is seen edge-on. Turn the view, or choose another plane.", true);
+    if (!to) return draw.tell(EDGE, true);
     act.moved = true;
     const keep = draw.tool === "move", there = keep ? to : draw.snapped(to, new Set(Object.keys(act.from)));
     const places = {};
@@ -220,13 +222,14 @@ export class Hand {
     }
     const from = this.pending;
     this.pending = null;
-    if (from.node !== target.node) await this.join(from, target);
+    await this.join(from, target);
   }
 
   async join(from, to) {
     const { draw } = this;
     const start = from.node || (await draw.edit({ do: "add", at: draw.cut(from.point) })).made?.node;
-    if (!start || start === to.node) return;
+    if (!start) return;
+    if (start === to.node) return draw.tell("A bar needs two different places.", true);
     const there = draw.state.members.find(({ ends }) => ends.includes(start) && ends.includes(to.node));
     if (there) {
       draw.pick({ type: "member", name: there.name });
@@ -268,6 +271,7 @@ export class Hand {
     if (kind === "place") return this.target(place, touch);
     if (kind === "tip") {
       const point = draw.camera.unproject(place, this.given[0].point[draw.camera.plane.axis] || 0);
+      if (!point && !quiet) draw.tell(EDGE, true);
       return point && { point };
     }
     const found = kind === "member" ? this.memberAt(place, touch) : this.there(place, touch);
@@ -305,10 +309,15 @@ export class Hand {
     draw.canvas.rubber();
   }
 
-  /** Do it once all is given. */
-  finish() {
+  /** Do it once all is given. more : of what a click is enough for, the rest is still to come. */
+  finish(more = false) {
     const { draw, using } = this;
-    if (!using || !this.given.length || (using.takes(this.given, draw) && !this.enough)) return;
+    if (!using || !this.given.length) return;
+    if (using.takes(this.given, draw) && (more || !this.enough)) {
+      const words = using.next?.(this.given);
+      if (words) draw.tell(words);
+      return;
+    }
     const { given, before } = this;
     this.given = [];
     draw.rubber = null;
@@ -320,6 +329,7 @@ export class Hand {
   /** A tool of the menu, begun at what is there; afterwards the one before goes on. */
   once(tool, target) {
     const { draw } = this, before = draw.tool;
+    if (!target.point) return draw.tell(EDGE, true);
     draw.setTool(tool.name);
     if (!tool.takes) {
       if (tool.name === "node") this.drawNode({ node: target.node, point: draw.snapped(target.point) });
@@ -399,6 +409,9 @@ export class Hand {
       if (this.using && this.given.length) this.show(camera.project(draw.cursor));
       const hit = draw.canvas.hit(camera.project(draw.cursor));
       draw.say(`${hit ? `${hit.type} ${hit.name}, ` : ""}${draw.cut(draw.cursor).join(", ")} m`);
+    } else if (LIFT[event.key] && camera.dim === 3) {
+      event.preventDefault();
+      this.lift(LIFT[event.key] * (event.shiftKey ? 10 : 1));
     } else if (event.key === "Enter" && draw.cursor) {
       event.preventDefault();
       this.enter(event);
@@ -406,6 +419,14 @@ export class Hand {
       event.preventDefault();
       this.escape();
     }
+  }
+
+  /** The work plane, and the cursor in it, go on along its normal by steps of the grid. */
+  lift(steps) {
+    const { draw } = this, { axis, at } = draw.camera.plane, to = clean(at + steps * draw.camera.grid);
+    draw.rail.setPlane({ at: to });
+    if (draw.cursor) this.setCursor(draw.cursor.map((value, k) => (k === axis ? to : value)));
+    draw.say(`work plane at ${"xyz"[axis]} = ${to} m`);
   }
 
   /** A node in the hand of the keys goes on by a quarter of a step of the grid (Shift: a whole one). */
@@ -442,7 +463,7 @@ export class Hand {
   ask() {
     const { draw } = this, { camera, picked } = draw, [node] = picked.nodes, [member] = picked.members;
     const ends = member && draw.state.members.find(({ name }) => name === member).ends.map((end) => draw.at(end));
-    const at = draw.cursor || (node ? draw.at(node) : ends ? ends[0].map((value, k) => (value + ends[1][k]) / 2) : camera.unproject([camera.width / 2, camera.height / 2]));
+    const at = draw.cursor || (node ? draw.at(node) : ends ? ends[0].map((value, k) => (value + ends[1][k]) / 2) : camera.unproject([camera.width / 2, camera.height / 2]) || camera.centre);
     const place = camera.project(at), own = !draw.cursor && (node || member);
     draw.menu.open(place, !own ? this.there(place) : node ? { node, point: at } : { member, share: 0.5, point: at });
   }
@@ -454,7 +475,7 @@ export class Hand {
     const target = hit?.type === "node" ? { node: hit.name, point: draw.at(hit.name) } : { point: draw.cursor };
     if (this.draws && draw.play.away) return this.back();
     if (this.using) {
-      if (this.give(this.wanted(place)) && !(event.shiftKey && this.enough)) this.finish(); // with Shift more is to come, as of a pull
+      if (this.give(this.wanted(place))) this.finish(event.shiftKey);
     } else if (draw.tool === "node") this.drawNode(target);
     else if (draw.tool === "bar") this.clickBar(target);
     else if (draw.task.takes(draw.tool)) draw.task.enter(draw.tool, target.point);

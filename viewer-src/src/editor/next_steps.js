@@ -8,7 +8,7 @@ const MOST = 4; // buttons of a kind
 const LOAD = -100; // N, upward
 
 /** [words, label, path, value, whether it plays then] of each step. */
-function stepsOf({ dim, nodes, members, fixed, drives, mobility, missing, data }) {
+function stepsOf({ dim, nodes, members, fixed, drives, mobility, missing, data, force }) {
   if (dim !== 2 || !members.length || !mobility) return [];
   const at = new Map(nodes.map((name) => [name, members.filter(({ ends }) => ends.includes(name)).length]));
   const held = (node) => (fixed[node] || "").length === 2;
@@ -18,6 +18,7 @@ function stepsOf({ dim, nodes, members, fixed, drives, mobility, missing, data }
     if (ends.length) return ends.slice(0, MOST).map((name) => [`Hold ${name}`, `support at ${name}`, ["fixed", name], "xy", false]);
   }
   if (mobility.undriven > 0) {
+    if (force) return []; // springs hold it
     const turning = members.filter(({ name, ends }) => held(ends[0]) !== held(ends[1]) && !driven.has(name) && name in (data.bars || {}));
     return turning.slice(0, MOST).map(({ name, ends }) => [`Turn ${name} about ${ends.find(held)}`, `drive ${name} about ${ends.find(held)}`, ["drives", freeName(data, "drives", "motor")], { kind: "angle", bar: name }, true]);
   }

@@ -49,6 +49,19 @@ def offset(nodes: Sequence[Vector], numbers: Numbers) -> Any:  # noqa: ARG001
     return (b[0] * r[1] - b[1] * r[0]) / root(b[0] * b[0] + b[1] * b[1])
 
 
+def beside(nodes: Sequence[Vector], numbers: Numbers) -> Any:
+    """Distance of P from the line from node 1 to node 2 in space, along normals of the line.
+
+    With the first unit vector n and the line b they are n x b and what of n is normal to b, both as unit vectors; the fourth
+    and the fifth number are their shares.
+    """
+    P, one, two = nodes
+    b, r, n = minus(two, one), minus(P, one), _first(numbers)
+    side, long = cross(n, b), size(b)
+    toward = dot(n, r) * long - dot(n, b) * dot(r, b) / long
+    return (numbers[3] * dot(side, r) + numbers[4] * toward) / size(side)
+
+
 def place(nodes: Sequence[Vector], numbers: Numbers) -> Any:
     """The coordinate of P along a direction."""
     return dot(nodes[0], _first(numbers))
@@ -73,7 +86,8 @@ def _second(numbers: Numbers) -> Vector:
     return numbers[3], numbers[4], numbers[5]
 
 
-ALONG, FIXED_AXIS, AROUND, OFFSET, NODE, COSINE, PRODUCT = range(7)
+ALONG, FIXED_AXIS, AROUND, OFFSET, NODE, COSINE, PRODUCT, BESIDE = range(8)
 FORMS = (
-    Form(along, 2), Form(fixed_axis, 2), Form(around, 4), Form(offset, 3), Form(place, 1), Form(cosine_of, 1), Form(product, 4)
+    Form(along, 2), Form(fixed_axis, 2), Form(around, 4), Form(offset, 3), Form(place, 1), Form(cosine_of, 1), Form(product, 4),
+    Form(beside, 3),
 )  # fmt: skip

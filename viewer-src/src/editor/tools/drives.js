@@ -1,6 +1,6 @@
 // Tools that drive: an angle, a length, a cylinder, a coordinate of a node. The same again stops it.
 
-import { freeName, memberOf } from "./given.js";
+import { freeName, memberOf, turning } from "./given.js";
 import { between } from "./parts.js";
 
 const CYLINDER = { rod: 0.75, shortest: 0.8, longest: 1.4, barrel: [0.06, 0.05], piston: [0.03, 0] }; // of its length as drawn
@@ -8,18 +8,24 @@ const CYLINDER = { rod: 0.75, shortest: 0.8, longest: 1.4, barrel: [0.06, 0.05],
 /** The name of the drive of this kind on a bar or node, if there is one. */
 const driveOn = (draw, kind, field, name) => Object.entries(draw.state.data.drives || {}).find(([, one]) => (one.kind || "angle") === kind && one[field] === name)?.[0];
 
+/** The coordinate that changes most where a roller slides along a line that is turned; undefined for other supports. */
+function freest({ turned, along } = {}) {
+  const angle = (Number.parseFloat(turned) * Math.PI) / 180, way = Array.isArray(along) ? along.map(Number) : turned === undefined ? [] : [Math.cos(angle), Math.sin(angle)];
+  const size = way.map(Math.abs);
+  return "xyz"[size.indexOf(Math.max(...size))];
+}
+
 const tube = (length, [outer, inner]) => ({ kind: inner ? "tube" : "rod", ...(inner ? { outer: millimetres(length * outer), inner: millimetres(length * inner) } : { diameter: millimetres(length * outer) }) });
 const millimetres = (value) => `${Number((1000 * value).toPrecision(2))} mm`;
 
 export const drives = [
   {
-    name: "turn", words: "Turn", key: "t", about: "Drive the angle of a bar or link: click it; again stops it", icon: "M5 19L18 12M5 17a2 2 0 1 0 .1 0M9 6a9 9 0 0 1 10 12M21 14l-2 4l-4 -2",
+    name: "turn", words: "Turn", key: "t", about: "Drive the angle of a bar or link, in space about the normal of the work plane: click it; again stops it", icon: "M5 19L18 12M5 17a2 2 0 1 0 .1 0M9 6a9 9 0 0 1 10 12M21 14l-2 4l-4 -2",
     takes: (given) => (given.length ? null : "member"),
     async act(draw, [{ member }]) {
-      const { data, dim } = draw.state, there = driveOn(draw, "angle", "bar", member);
-      if (!(member in (data.bars || {}) || member in (data.links || {}) || member in (data.active || {}))) return draw.tell(`${member} is a beam; the angle of a bar or a link is driven.`, true);
-      const name = there || freeName(data, "drives", "motor");
-      await draw.change(there ? `${name} removed` : `${name} turns ${member}`, [[["drives", name], there ? null : { kind: "angle", bar: member, ...(dim === 3 ? { axis: "z" } : {}) }]], { type: "member", name: member });
+      const there = driveOn(draw, "angle", "bar", member), name = there || freeName(draw.state.data, "drives", "motor"), entry = there ? null : turning(draw, member);
+      if (!there && !entry) return;
+      await draw.change(there ? `${name} removed` : `${name} turns ${member}${entry.axis ? ` about ${entry.axis}` : ""}`, [[["drives", name], entry]], { type: "member", name: member });
     },
   },
   {
@@ -46,7 +52,7 @@ export const drives = [
     takes: (given) => (given.length ? null : "node"),
     async act(draw, [{ node }]) {
       const { data, dim, fixed } = draw.state, there = driveOn(draw, "coordinate", "node", node);
-      const axis = [..."xyz"].slice(0, dim).find((one) => !(fixed[node] || "").includes(one)), name = there || freeName(data, "drives", "slide");
+      const axis = freest(data.supports?.[node]) || [..."xyz"].slice(0, dim).find((one) => !(fixed[node] || "").includes(one)), name = there || freeName(data, "drives", "slide");
       if (!axis) return draw.tell(`${node} is held in all directions. Make it a roller first.`, true);
       await draw.change(there ? `${name} removed` : `${name} pushes ${node} along ${axis}`, [[["drives", name], there ? null : { kind: "coordinate", node, axis }]], { type: "node", name: node });
     },

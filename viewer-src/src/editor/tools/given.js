@@ -4,10 +4,11 @@ import { svg } from "../../dom.js";
 import { scale } from "../../format.js";
 
 export const MEMBERS = ["bars", "active", "beams", "links"];
+const NAMED = [...MEMBERS, "cylinders", "drives", "couplings", "springs", "stops"]; // no two entries of these have one name
 
-/** The first name of a table that is free: stem (if `bare`), stem1, stem2, ...; the tables of members share their names. */
+/** The first name of a table that is free: stem (if `bare`), stem1, stem2, ... */
 export function freeName(data, table, stem, bare = true) {
-  const used = new Set((MEMBERS.includes(table) ? MEMBERS : [table]).flatMap((one) => Object.keys(data[one] || {})));
+  const used = new Set((NAMED.includes(table) ? NAMED : [table]).flatMap((one) => Object.keys(data[one] || {})));
   if (bare && !used.has(stem)) return stem;
   let k = bare ? 2 : 1;
   while (used.has(`${stem}${k}`)) k++;
@@ -42,6 +43,22 @@ export function membersAt(draw, node) {
   return [...new Set(draw.state.members.filter(({ ends }) => ends.includes(node)).map(({ name }) => name))];
 }
 
+/** Whether a member has an angle that is driven or measured, in space about the normal of the work plane, or about the axis about which it
+ * is driven already: that coordinate; null, and why. */
+export function turning(draw, member) {
+  const { data, dim } = draw.state;
+  if (!["bars", "links", "active"].some((table) => member in (data[table] || {}))) return draw.tell(`${member} is a beam, which has no angle of its own: take a bar or a link (Kind, in the panel).`, true) ?? null;
+  if (dim === 2) return { kind: "angle", bar: member };
+  const own = Object.values(data.drives || {}).find((one) => one.kind === "angle" && one.bar === member);
+  const axis = own?.axis || "xyz"[draw.camera.plane.axis], { nodes } = memberOf(draw, member), normal = direction(axis);
+  const along = draw.at(nodes[0]).map((value, k) => draw.at(nodes.at(-1))[k] - value), length = Math.hypot(...along);
+  if (Math.abs(along.reduce((sum, value, k) => sum + value * normal[k], 0)) < 0.999999 * length) return { kind: "angle", bar: member, axis };
+  return draw.tell(`${member} points along ${axis}, so it has no angle about it. In space the axis is the normal of the work plane: choose another Plane, above the drawing.`, true) ?? null;
+}
+
+/** The direction of an axis of the model: a letter or three numbers; z if there is none. */
+export const direction = (axis) => (Array.isArray(axis) ? axis.map(Number) : [0, 1, 2].map((k) => Number("xyz"[k] === (axis ?? "z"))));
+
 /** Number and unit of what was typed; null if it is neither. */
 export function valueOf(text, unit) {
   const [, number, own] = /^\s*([+-]?(?:\d+\.?\d*|\.\d+)(?:e[+-]?\d+)?)\s*([^\d\s].*)?$/i.exec(String(text)) || [];
@@ -64,7 +81,7 @@ export const rounded = (value) => Number(value.toPrecision(2));
 
 // What is drawn meanwhile.
 
-export const path = (points) => `M${points.map(([x, y]) => `${x.toFixed(1)} ${y.toFixed(1)}`).join("L")}`;
+export const path = (points) => (points.length ? `M${points.map(([x, y]) => `${x.toFixed(1)} ${y.toFixed(1)}`).join("L")}` : "");
 
 export function line(draw, from, to) {
   return from && to ? [svg("path", { class: "rubber", d: path([from, to].map((one) => draw.camera.project(one))) })] : [];
@@ -74,6 +91,17 @@ export function arrow(tip, end, kind = "load") {
   const turned = Math.atan2(tip[1] - end[1], tip[0] - end[0]);
   const wing = (by) => [tip[0] - 9 * Math.cos(turned + by), tip[1] - 9 * Math.sin(turned + by)];
   return svg("path", { class: kind, d: path([end, tip]) + path([wing(0.42), tip, wing(-0.42)]) });
+}
+
+/** Points of the screen on a circle about an axis, counter-clockwise about it from the direction `start`: parts of a turn from one to another. */
+export function ring({ camera }, centre, radius, axis, start = null, [from, to] = [0, 1]) {
+  const n = direction(axis), cross = (a, b) => [a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]];
+  const size = (a) => Math.hypot(...a), seen = start && size(cross(n, start)) > 1e-9 ? start : Math.abs(n[0]) < 0.9 * size(n) ? [1, 0, 0] : [0, 1, 0];
+  const side = cross(n, seen), second = side.map((value) => value / size(side)), first = cross(second, n).map((value) => value / size(n));
+  return Array.from({ length: 49 }, (_, k) => {
+    const turned = 2 * Math.PI * (from + ((to - from) * k) / 48);
+    return camera.project(centre.map((value, i) => value + radius * (Math.cos(turned) * first[i] + Math.sin(turned) * second[i])));
+  });
 }
 
 export function words(text, [x, y]) {

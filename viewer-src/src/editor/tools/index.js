@@ -5,6 +5,7 @@
 //   icon            : a path on 24 x 24
 //   takes(given, draw) : what it wants next, null when it has all: "place" (a node, or a point where one is made), "node", "member",
 //                     "thing" (a node or a member), "tip" (any point)
+//   next(given)     : words about what it wants then, if its name does not tell
 //   more(first)     : whether a click is enough, though it would take more of a pull
 //   shows(draw, given, to) : what is drawn meanwhile (SVG)
 //   act(draw, given): what it changes; the promise of a value to type beside it, {at, label, value, set}, or of nothing

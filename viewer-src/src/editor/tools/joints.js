@@ -2,8 +2,9 @@
 
 import { svg } from "../../dom.js";
 import { between } from "./parts.js";
-import { freeName, line, memberOf, membersAt, path, valueOf } from "./given.js";
+import { direction, freeName, line, memberOf, membersAt, path, ring, turning, valueOf } from "./given.js";
 
+const BELT = 26; // pixels of the larger wheel of a belt
 const RATIO = -1; // of new gear wheels: as large, meshing
 
 /** The point of the line through a member's ends nearest to a point. */
@@ -23,28 +24,41 @@ function under(draw, node) {
 }
 
 const slider = {
-  name: "slider", words: "Slider", key: "x", about: "A block that slides on a bar: click the node that lies on it, or pull from the node to the bar. For a slide on the ground take Roller", icon: "M3 19L21 7M7 10l4 6l6 -4l-4 -6z",
+  name: "slider", words: "Slider", key: "x", about: "A block that slides on a bar: click the node that lies on it, or pull from the node to the bar; the same again removes it. For a slide on the ground take Roller", icon: "M3 19L21 7M7 10l4 6l6 -4l-4 -6z",
   takes: (given, draw) => (!given.length ? "node" : given.length > 1 || under(draw, given[0].node).length === 1 ? null : "member"),
   shows: (draw, [from], to) => line(draw, from?.point, to?.point),
   async act(draw, [{ node, point }, to]) {
-    const { data, dim } = draw.state, member = to?.member || under(draw, node)[0];
-    if (dim !== 2) return draw.tell("In space a slide is joints.prismatic of the library; here blocks slide in the plane.", true);
+    const { data } = draw.state, member = to?.member || under(draw, node)[0];
     if (membersAt(draw, node).includes(member)) return draw.tell(`${node} is an end of ${member}. A block slides on another bar than its own.`, true);
-    const name = freeName(data, "couplings", "block"), { nodes } = memberOf(draw, member), there = onto(draw, member, point);
+    const pair = memberOf(draw, member).nodes.slice(0, 2), there = onto(draw, member, point), own = blocks(data, node, pair);
+    if (own.length) return draw.change(`${node} leaves ${member}`, own.map((name) => [["couplings", name], null]), { type: "node", name: node }).then(() => null);
     const moved = apart(there, point) * draw.camera.scale < 1e-6 ? [] : [[["nodes", node, "at"], draw.cut(there).map((value) => Number(value.toPrecision(12)))]];
-    await draw.change(`${node} slides on ${member}`, [...moved, [["couplings", name], { terms: [[{ kind: "offset", line: nodes.slice(0, 2), point: node }, 1]] }]], { type: "node", name: node });
+    const entries = conditions(draw, pair, node).map(([name, coordinate]) => [["couplings", name], { terms: [[coordinate, 1]], value: 0 }]);
+    await draw.change(`${node} slides on ${member}`, [...moved, ...entries], { type: "node", name: node });
   },
 };
 
+/** The couplings that keep a node on a line: names. */
+const blocks = (data, node, line) => Object.entries(data.couplings || {}).filter(([, { terms = [] }]) => terms.length === 1 && terms[0][0].kind === "offset" && terms[0][0].point === node && String(terms[0][0].line) === String(line)).map(([name]) => name);
+
+/** What is zero while a node is on a line, by name: its offset; in space that about the axis of the model most nearly across the line, and along it. */
+function conditions(draw, line, node) {
+  const name = freeName(draw.state.data, "couplings", "block"), offset = { kind: "offset", line, point: node };
+  if (draw.state.dim === 2) return [[name, offset]];
+  const [a, b] = line.map((end) => draw.at(end)), size = [0, 1, 2].map((k) => Math.abs(b[k] - a[k])), normal = draw.camera.plane.axis;
+  const least = Math.min(...size), axis = "xyz"[size[normal] <= least + 1e-9 ? normal : size.indexOf(least)];
+  return [[name, { ...offset, axis }], [`${name}.along`, { ...offset, along: axis }]];
+}
+
 const gear = {
-  name: "gear", words: "Gear", key: "5", about: "Gear wheels or a belt between two bars that turn: click one, then the other, and type how often the second turns for one turn of the first (negative: the other way round)", icon: "M8 8a4 4 0 1 0 .1 0M8 4v4M8 16v4M2 12h2M12 12h2M17 4a3 3 0 1 0 .1 0M17 2v2M17 10v2",
+  name: "gear", words: "Gear", key: "5", about: "Gear wheels or a belt between two bars that turn, in space each about the axis of its drive or the normal of the work plane: click one, then the other, and type how often the second turns for one turn of the first (negative: the other way round)", icon: "M8 8a4 4 0 1 0 .1 0M8 4v4M8 16v4M2 12h2M12 12h2M17 4a3 3 0 1 0 .1 0M17 2v2M17 10v2",
   takes: (given) => (given.length < 2 ? "member" : null),
   shows: (draw, [from], to) => line(draw, from?.point, to?.point),
   async act(draw, [{ member: one }, { member: two, point }]) {
     if (one === two) return draw.tell("Gear wheels need two bars. Click one, then the other.", true);
-    if (draw.state.dim !== 2) return draw.tell("Here gear wheels lie in the plane. In space write a coupling of two hinges (Entries of the model).", true);
-    const name = freeName(draw.state.data, "couplings", "gear");
-    const entry = (ratio) => ({ terms: [[{ kind: "angle", bar: one }, ratio], [{ kind: "angle", bar: two }, -1]] });
+    const name = freeName(draw.state.data, "couplings", "gear"), first = turning(draw, one), second = first && turning(draw, two);
+    if (!second) return null;
+    const entry = (ratio) => ({ terms: [[first, ratio], [second, -1]] });
     const put = (ratio) => draw.change(`${name} of ${one} and ${two}`, [[["couplings", name], entry(ratio)]], { type: "member", name: two });
     if (!(await put(RATIO))) return null;
     const set = (text) => {
@@ -71,11 +85,14 @@ export const joints = [
   between({ name: "spring", words: "Spring", key: "z", about: "A coil spring from pin to pin; then type its stiffness", icon: "M3 20l3 -3l-1 -5l6 3l-1 -5l6 3l-1 -5l3 -1l3 -3" }, (draw, ends) => ({ table: "bars", stem: "spring", entry: { ends, kind: "elastic", stiffness: "1 kN/m" } }), soft("elastic", "1 kN/m")),
   between({ name: "rope", words: "Rope", key: "6", about: "A rope from pin to pin, which only pulls; then type its stiffness", icon: "M3 19c4 -6 6 3 9 -4s5 2 9 -10" }, (draw, ends) => ({ table: "bars", stem: "rope", entry: { ends, kind: "cable", stiffness: "100 kN/m" } }), soft("cable", "100 kN/m")),
   {
-    name: "hinge", words: "Hinge spring", key: "7", about: "A spring of the angle between two bars that meet: pull from one to the other; a click is for the angle to the ground", icon: "M4 20L20 20M4 20L15 5M14 20a10 10 0 0 0 -4 -8M9 15l2 -1M11 18l2 -1",
-    takes: (given) => (given.length < 2 ? "member" : null), more: () => true,
+    name: "hinge", words: "Hinge spring", key: "7", about: "A spring of the angle between two bars that meet: pull from one to the other, and in space click a node on the axis of their hinge; a click is for the angle to the ground, in space about the normal of the work plane", icon: "M4 20L20 20M4 20L15 5M14 20a10 10 0 0 0 -4 -8M9 15l2 -1M11 18l2 -1",
+    takes: (given, draw) => (given.length < 2 ? "member" : given.length < 3 && draw.state.dim === 3 && given[0].member !== given[1].member ? "node" : null), more: () => true,
+    next: ([one, two]) => two && `Hinge spring: now click a node on the axis of the hinge of ${one.member} and ${two.member}, which goes from where they meet to it.`,
     shows: (draw, [from], to) => line(draw, from?.point, to?.point),
-    async act(draw, [one, two]) {
-      const members = [one.member, ...(two && two.member !== one.member ? [two.member] : [])], answer = await draw.edit({ do: "make", what: "angle_spring", members });
+    async act(draw, [one, two, axle]) {
+      const members = [one.member, ...(two && two.member !== one.member ? [two.member] : [])];
+      if (members.length === 1 && !turning(draw, one.member)) return null;
+      const answer = await draw.edit({ do: "make", what: "angle_spring", members, nodes: axle ? [axle.node] : [], axis: "xyz"[draw.camera.plane.axis] });
       const name = answer.made?.entry?.[1];
       return name && { at: one.point, label: "Stiffness", value: "10 N m/rad", set: (text) => {
         const value = valueOf(text, "N m/rad");
@@ -90,19 +107,18 @@ export function couplings(draw, at) {
   const { data, members, fixed } = draw.state, bar = (name) => members.find((one) => one.name === name)?.ends;
   return Object.values(data.couplings || {}).flatMap(({ terms = [] }) => {
     const [[one, f] = [], [two, g] = []] = terms;
-    if (terms.length === 1 && one.kind === "offset") return block(at(one.point), one.line.map(at));
+    if (terms.length === 1 && one.kind === "offset") return one.along ? [] : block(at(one.point), one.line.map(at));
     const wheels = terms.length === 2 && [one, two].every((term) => term.kind === "angle") && [one, two].map((term) => bar(term.bar));
     if (!wheels || !wheels.every(Boolean) || !Number(f) || !Number(g)) return [];
-    const [p, q] = wheels.map((ends) => at(ends.find((end) => fixed[end]) || ends[0])), far = Math.hypot(p[0] - q[0], p[1] - q[1]);
+    const [p, q] = wheels.map((ends) => draw.at(ends.find((end) => fixed[end]) || ends[0])), far = apart(p, q);
     const [r, s] = [Math.abs(f), Math.abs(g)].map((share) => (far * share) / (Math.abs(f) + Math.abs(g)));
-    if (f * g > 0) return [circle(p, r), circle(q, s)];
-    const size = Math.min(1, 26 / Math.max(r, s)), [a, b] = [r * size, s * size], turned = Math.atan2(q[1] - p[1], q[0] - p[0]);
-    const side = (way) => path([p, q].map(([x, y], k) => [x - way * [a, b][k] * Math.sin(turned), y + way * [a, b][k] * Math.cos(turned)]));
-    return [circle(p, a), circle(q, b), svg("path", { class: "wheel", d: side(1) + side(-1) })];
+    const wheel = (d) => svg("path", { class: "wheel", d }), wheelsOf = (size) => [wheel(`${path(ring(draw, p, r * size, one.axis))}Z`), wheel(`${path(ring(draw, q, s * size, two.axis))}Z`)];
+    if (f * g > 0) return wheelsOf(1);
+    const size = Math.min(1, BELT / draw.camera.scale / Math.max(r, s)), way = q.map((value, k) => value - p[k]); // a belt runs along both, a quarter of a turn beside the line of their axles
+    const side = (turn) => path([ring(draw, p, r * size, one.axis, way, [turn, turn])[0], ring(draw, q, s * size, two.axis, way, [turn, turn])[0]]);
+    return [...wheelsOf(size), wheel(side(0.25) + side(-0.25))];
   });
 }
-
-const circle = ([x, y], r) => svg("circle", { class: "wheel", cx: x.toFixed(1), cy: y.toFixed(1), r: r.toFixed(1) });
 
 function block(place, [a, b]) {
   if (!place || !a || !b) return [];

@@ -5,6 +5,7 @@ import { arrow, freeName, pulled, rounded, textOf, valueOf, vectorOf, words } fr
 
 export const ARROW = 46; // pixels of the largest force of a drawing
 const FIRST = { N: 100, "N/m": 100 }; // an arrow of that length, in a drawing without loads
+const LEAST = 4; // pixels of an arrow
 const ALONG = 7; // arrows along a member
 
 /** What an arrow of ARROW pixels means: the largest load of its kind that is drawn. */
@@ -27,7 +28,7 @@ function arrows(record, first, unit, entryOf, feet) {
     },
     async act(draw, [from, tip]) {
       const { direction, pixels, length } = pulled(draw, from.point, tip.point), size = sizeOf(draw, unit, pixels);
-      if (!size) return draw.tell("Pull the arrow away from where it begins.", true);
+      if (pixels < LEAST) return draw.tell("Pull the arrow away from where it begins.", true);
       const { data } = draw.state, { stem, entry } = entryOf(from), name = freeName(data, "loads", stem);
       const force = (value) => [["loads", name], { ...entry, force: vectorOf(value, direction) }];
       const hit = from.node ? { type: "node", name: from.node } : { type: "member", name: from.member };

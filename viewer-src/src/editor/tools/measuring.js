@@ -16,7 +16,7 @@ export const measuring = [
     async act(draw, [one, two]) {
       if (one.node && !two) return draw.tell("Pull from one node to another.", true);
       const bar = one.member, other = two?.member !== bar && two?.member, before = draw.state.dimensions.length;
-      if (other && !sharedOf(draw, [bar, other])) return draw.tell(`${bar} and ${other} have no common node: an angle needs one.`, true);
+      if (other && !sharedOf(draw, [bar, other])) return draw.tell(`${bar} and ${other} do not meet at a node: there is no angle between them to measure. A click on one of them measures its length.`, true);
       const answer = await draw.ask({ do: "dimension", ...(bar ? { members: other ? [bar, other] : [bar] } : { nodes: [one.node, two.node] }) });
       if (!bar || other || answer.kind !== "drawing" || answer.dimensions.length < before || draw.play.away || memberOf(draw, bar).table !== "bars") return null;
       draw.pick({ type: "member", name: bar });

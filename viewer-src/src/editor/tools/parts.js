@@ -15,6 +15,7 @@ const link = {
   shows: (draw, given, to) => [svg("path", { class: "rubber", d: path([...given, ...(to ? [to] : [])].map(({ point }) => draw.camera.project(point))) })],
   async act(draw, given) {
     const last = given.at(-1), closed = same(last, given[0]), pins = closed ? given.slice(0, -1) : given.filter((one, k) => !k || !same(one, given[k - 1]));
+    if (pins.every((one) => same(one, pins[0]))) return draw.tell("A link needs two different places.", true);
     const [nodes, changes] = nodesOf(draw, pins), name = freeName(draw.state.data, "links", "link", false);
     await draw.change(`adding ${name}`, [...changes, [["links", name], closed ? [...nodes, nodes[0]] : nodes]], { type: "member", name });
   },

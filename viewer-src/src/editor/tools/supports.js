@@ -8,7 +8,7 @@ const DEGREE = Math.PI / 180;
 function held(draw, node, { fixed = null, support = null, clamped = false }) {
   const { data, fixed: axes } = draw.state, given = data.clamped || [], changes = [];
   if (fixed !== (axes[node] || null)) changes.push([["fixed", node], fixed]);
-  if (support || data.supports?.[node]) changes.push([["supports", node], support]);
+  if (JSON.stringify(support) !== JSON.stringify(data.supports?.[node] || null)) changes.push([["supports", node], support]);
   const own = Array.isArray(given) ? given.includes(node) : node in given;
   if (own !== clamped) {
     if (!Array.isArray(given)) changes.push([["clamped", node], clamped ? "ground" : null]);
@@ -36,6 +36,12 @@ function sliding(angle) {
   return { support: { y: "held", turned: `${flat} deg` } };
 }
 
+/** The same in space: the other coordinates, or those of axes of its own. */
+function slidingInSpace(along) {
+  const held = [..."xyz"].filter((_, k) => Math.abs(along[k]) < 1e-9).join("");
+  return held.length === 2 ? { fixed: held } : { support: { along: along.map((value) => Number(value.toPrecision(12))), y: "held", z: "held" } };
+}
+
 /** A clamp holds the rotation of a beam or of a welded link; a single bar there becomes such a link. */
 function clamp(draw, node) {
   const members = membersAt(draw, node).map((name) => ({ name, ...memberOf(draw, name) }));
@@ -56,14 +62,17 @@ export const supports = [
     act: (draw, [{ node }]) => hold(draw, node, "pin", { fixed: all(draw) }).then(() => null),
   },
   {
-    name: "roller", words: "Roller", key: "r", about: "Let a node slide along a line: click it for a level line, or pull from it along the line; again frees it", icon: "M12 4l-6 10h12zM8 16a2 2 0 1 0 .1 0M16 16a2 2 0 1 0 .1 0M3 22h18",
+    name: "roller", words: "Roller", key: "r", about: "Let a node slide along a line: click it for a level line (in space a level plane), or pull from it along the line, in space in the work plane; again frees it", icon: "M12 4l-6 10h12zM8 16a2 2 0 1 0 .1 0M16 16a2 2 0 1 0 .1 0M3 22h18",
     takes: (given) => ["node", "tip"][given.length] || null, more: () => true,
     shows: (draw, [from], to) => {
       if (!from || !to) return [];
       const { direction, length } = pulled(draw, from.point, to.point), end = (by) => from.point.map((value, k) => value + by * length * (direction[k] || 0));
       return line(draw, end(-1), end(1));
     },
-    act: (draw, [{ node, point }, tip]) => hold(draw, node, "roller", draw.state.dim === 3 ? { fixed: "z" } : sliding(tip ? pulled(draw, point, tip.point).angle : 0)).then(() => null),
+    act: (draw, [{ node, point }, tip]) => {
+      const by = tip && pulled(draw, point, tip.point);
+      return hold(draw, node, "roller", draw.state.dim === 2 ? sliding(by ? by.angle : 0) : by ? slidingInSpace(by.direction) : { fixed: "z" }).then(() => null);
+    },
   },
   {
     name: "clamp", words: "Clamp", key: "e", about: "Hold the place and the rotation of a beam or link at its node: click the node; again frees it. A single bar there becomes a link", icon: "M6 4v16M6 12h15M2 7l4 -3M2 12l4 -3M2 17l4 -3M2 22l4 -3",
@@ -75,10 +84,12 @@ export const supports = [
     },
   },
   {
-    name: "foot", words: "Spring foot", key: "2", about: "Hold a node by a spring, upright; the other directions stay held. Click the node and type the stiffness", icon: "M12 3v3l-4 2l8 3l-8 3l8 3l-4 2v2M4 21h16",
+    name: "foot", words: "Spring foot", key: "2", about: "Hold a node by a spring, upright; the other directions stay held. Click the node and type the stiffness; again frees it", icon: "M12 3v3l-4 2l8 3l-8 3l8 3l-4 2v2M4 21h16",
     takes: (given) => (given.length ? null : "node"),
     async act(draw, [{ node, point }]) {
-      const axes = all(draw), up = axes.at(-1), entry = Object.fromEntries([...axes].map((axis) => [axis, axis === up ? "10 kN/m" : "held"]));
+      const axes = all(draw), up = axes.at(-1), own = draw.state.data.supports?.[node];
+      if (own && own[up] !== undefined && own[up] !== "held") return hold(draw, node, "spring foot", {}).then(() => null);
+      const entry = Object.fromEntries([...axes].map((axis) => [axis, axis === up ? "10 kN/m" : "held"]));
       if (!(await draw.change(`spring foot at ${node}`, held(draw, node, { support: entry }), { type: "node", name: node }))) return null;
       const set = (text) => {
         const given = valueOf(text, "N/m");
