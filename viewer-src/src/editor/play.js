@@ -57,7 +57,7 @@ export class Play extends Player {
 
   /** Play or pause; the motion is computed where it is not known. */
   async toggle() {
-    if (this.draw.closed || this.awaited) return;
+    if (this.draw.closed || (this.awaited && !this.film)) return;
     if (this.film || (await this.load())) this.togglePlay();
   }
 
