@@ -7,7 +7,7 @@ processor time of the server (where the system tells it), medians of all updates
 
 Then, where there is Chromium, a drawing that plays: a lattice boom on a jack, of 40 and of 400 bars. `ready_s` is from the
 press of Play to the first picture, once kernels are loaded; `pictures_per_second` counts pictures on the screen during 3 s,
-`page_ms` is what the page computes for each.
+`page_ms` is what the page computes for each. Then the same with the strength as colour.
 """
 
 from __future__ import annotations
@@ -97,8 +97,12 @@ def boom(bays: int) -> kt.Model:
     )  # fmt: skip
 
 
-PLAY = """async () => {
-  const { draw } = kinetruss, { play } = draw, began = performance.now();
+PLAY = """async (strength) => {
+  const { draw } = kinetruss, { play } = draw;
+  play.home();
+  play.film = null;
+  draw.shown.strength = strength;
+  const began = performance.now();
   await play.toggle();
   await new Promise((resolve) => requestAnimationFrame(() => requestAnimationFrame(resolve)));
   const ready = (performance.now() - began) / 1000, show = play.goTo.bind(play);
@@ -113,6 +117,7 @@ PLAY = """async () => {
   while (performance.now() - start < 3000) await new Promise((resolve) => requestAnimationFrame(resolve));
   const passed = (performance.now() - start) / 1000;
   play.pause();
+  play.goTo = show;
   return { ready_s: ready, pictures_per_second: count / passed, page_ms: spent / count, samples: play.film.frames };
 }"""
 
@@ -129,10 +134,11 @@ def played(model: kt.Model) -> dict[str, object] | None:
         page = browser.new_page(viewport={"width": 1440, "height": 900})
         page.goto(f"{address}draw/")
         page.wait_for_selector("#kinetruss[data-state=ready]", timeout=300_000)
-        page.evaluate("async () => { const { play } = kinetruss.draw; await play.load(); play.home(); play.film = null; }")
-        found = page.evaluate(PLAY)
+        page.evaluate("async () => { const { draw } = kinetruss; draw.shown.strength = true; await draw.play.load(); }")
+        found, judged = (page.evaluate(PLAY, strength) for strength in (False, True))
         browser.close()
-    return {"case": "plays", "members": len(model.members), "drives": len(model.all_drives)} | found
+    counts = {"case": "plays", "members": len(model.members), "drives": len(model.all_drives)}
+    return counts | found | {f"strength_{name}": value for name, value in judged.items() if name != "samples"}
 
 
 def main() -> None:

@@ -20,7 +20,8 @@ START = {"A": (0.0, 0.0), "B": (0.5, 0.0)}
 def pendulum(**more) -> kt.Model:
     """A point of 2 kg at the end of a bar of 0.5 m that stands out level."""
     return kt.Model(
-        nodes={"A": (0, 0), "B": kt.Node(at=(0.5, 0), mass=2)}, fixed={"A": "xy"}, bars={"b": ("A", "B")}, gravity=(0, -G), **more
+        nodes={"A": (0, 0), "B": kt.Node(at=(0.5, 0), mass=2)}, fixed={"A": "xy"}, bars={"b": ("A", "B")}, gravity=(0, -G),
+        **more,
     )  # fmt: skip
 
 
@@ -53,7 +54,7 @@ def test_drives_hold_still_or_are_free():
     np.testing.assert_allclose(free["position"], alone["position"], atol=1e-9)
     np.testing.assert_allclose(free["drive_force"], 0, atol=1e-9)
     tip = free["position"][:, 1]
-    np.testing.assert_allclose(np.sin(free["drive_position"][:, 0]), tip[:, 1] / 0.5, atol=1e-9)  # its angle, not that of the start
+    np.testing.assert_allclose(np.sin(free["drive_position"][:, 0]), tip[:, 1] / 0.5, atol=1e-9)
 
 
 def test_what_has_no_mass_is_said_and_a_motion_that_takes_long_is_shown_as_far_as_it_is(monkeypatch):

@@ -68,14 +68,14 @@ export class Play extends Player {
 
   /** Play or pause; the motion is computed where it is not known. */
   async toggle() {
-    if (this.draw.closed || this.awaited) return;
+    if (this.draw.closed || (this.awaited && !this.film)) return;
     if (this.film || (await this.load())) this.togglePlay();
   }
 
   /** Ask for the motion of the drives; false if there is none. */
   async load() {
     if (!this.movable) return this.refuse("Nothing is driven yet.");
-    const film = await this.ask(this.command(this.rate.good(this.unit)));
+    const film = await this.ask(this.command(this.falls ? null : this.rate.good(this.unit)));
     if (!this.isFilm(film)) return this.refuse(film.message || "");
     this.show(film);
     return true;
@@ -83,7 +83,7 @@ export class Play extends Player {
 
   /** Unit of the first drive that moves. */
   get unit() {
-    return this.draw.state.drives.find(({ name }) => name === this.drives[0])?.unit;
+    return this.draw.state.drives.find(({ name }) => name === this.drives[0]).unit;
   }
 
   /** What is asked for, at a rate of the first drive; the strength where it is shown. */
