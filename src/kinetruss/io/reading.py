@@ -59,12 +59,11 @@ class Reading:
 
 def with_files(reading: Reading) -> None:
     """Replace ``file:`` by the table; entries with a faulty table are removed and reported."""
-    for name, entry in reading.entries("trajectories"):
-        _put(reading, ("trajectories", name), entry, _tabulated)
-    for name, entry in reading.entries("loads"):
-        _put(reading, ("loads", name), entry, _forces)
-    for name, entry in reading.entries("support_motion"):
-        _put(reading, ("support_motion", name), entry, _displacements)
+    readers: dict[str, Reader] = {"trajectories": _tabulated, "loads": _forces, "support_motion": _displacements}
+    for kind, read_one in readers.items():
+        for name, entry in reading.entries(kind):
+            if "file" in entry:
+                reading.put(kind, name, _from_file(reading, (kind, name), entry, read_one))
     for name, entry in reading.entries("runs"):
         inline = entry.get("trajectory")
         if isinstance(inline, Mapping) and "file" in inline:
@@ -72,11 +71,6 @@ def with_files(reading: Reading) -> None:
             reading.put("runs", name, None if table is None else {**entry, "trajectory": table})
         if isinstance(entry.get("motion"), str):
             _motion(reading, name, entry)
-
-
-def _put(reading: Reading, path: tuple[str, str], entry: Mapping[str, Any], read: Reader) -> None:
-    if "file" in entry:
-        reading.put(*path, _from_file(reading, path, entry, read))
 
 
 def _from_file(reading: Reading, path: Place, entry: Mapping[str, Any], read: Reader) -> dict[str, Any] | None:
@@ -135,17 +129,7 @@ def _gaps(table: Table, largest: Any) -> list[Fault]:
     ]
 
 
-def _forces(path: Path, entry: Mapping[str, Any], max_size: int) -> dict[str, Any]:
-    del entry
-    return _vectors(path, "force", "forces", max_size)
-
-
-def _displacements(path: Path, entry: Mapping[str, Any], max_size: int) -> dict[str, Any]:
-    del entry
-    return _vectors(path, "length", "displacements", max_size)
-
-
-def _vectors(path: Path, quantity: str, field: str, max_size: int) -> dict[str, Any]:
+def _vectors(quantity: str, field: str, path: Path, _entry: Mapping[str, Any], max_size: int) -> dict[str, Any]:
     """Columns x, y and perhaps z (or fx, fy, fz) as a list of vectors."""
     names = {"x": "x", "y": "y", "z": "z"} | ({"fx": "x", "fy": "y", "fz": "z"} if quantity == "force" else {})
     table = read_table(path, lambda name: quantity if name in names else None, max_size=max_size)
@@ -154,6 +138,9 @@ def _vectors(path: Path, quantity: str, field: str, max_size: int) -> dict[str, 
         raise ModelError([table.fault(f"column {missing[0]!r} is missing.", "Give columns t, x, y and, in space, z.")])
     columns = [found[axis].tolist() for axis in "xyz" if axis in found]
     return {"times": table.times.tolist(), field: [list(row) for row in zip(*columns, strict=True)]}
+
+
+_forces, _displacements = partial(_vectors, "force", "forces"), partial(_vectors, "length", "displacements")
 
 
 def _motion(reading: Reading, name: str, entry: Mapping[str, Any]) -> None:

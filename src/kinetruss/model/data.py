@@ -34,7 +34,7 @@ from kinetruss.model.load_cases import Combinations, LoadCase, cases_of, of_one_
 from kinetruss.model.loads import History, Load
 from kinetruss.model.members import Active, Bar, Brace, Node
 from kinetruss.model.quantities import Quantity
-from kinetruss.model.record import GravityVector, Name, Number, Record, VelocityVector
+from kinetruss.model.record import GravityVector, Name, Number, Record, VelocityVector, one_format
 from kinetruss.model.references import NodeName
 from kinetruss.model.runs import BaseRotation, Condition, Run
 from kinetruss.model.sections import Material, MaterialOrName, Section, SectionOrName
@@ -47,12 +47,6 @@ AXES = "xyz"
 FORMAT = 1
 
 
-def _format(value: Any) -> Any:
-    if value not in (FORMAT, str(FORMAT)) or isinstance(value, bool):
-        raise ValueError(f"format version {shown(value)} is not known here. This release reads kinetruss: {FORMAT}.")
-    return FORMAT
-
-
 def _axes(value: str) -> str:
     if not value or set(value) - set(AXES) or len(set(value)) != len(value):
         raise ValueError(f"{shown(value)} is not a set of axes. Write for example xy, or xyz.")
@@ -60,7 +54,11 @@ def _axes(value: str) -> str:
 
 
 Axes = Annotated[str, AfterValidator(_axes), WithJsonSchema({"type": "string", "pattern": "^[xyz]{1,3}$"})]
-Format = Annotated[int, BeforeValidator(_format), WithJsonSchema({"const": FORMAT, "description": "format version"})]
+Format = Annotated[
+    int,
+    one_format(FORMAT, "kinetruss", "format version {}"),
+    WithJsonSchema({"const": FORMAT, "description": "format version"}),
+]
 
 
 def _grounded(value: Any) -> Any:

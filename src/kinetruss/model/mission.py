@@ -5,13 +5,13 @@ from __future__ import annotations
 from collections.abc import Iterator
 from typing import Annotated, Any
 
-from pydantic import BeforeValidator, Field, Tag, ValidationError, WithJsonSchema, model_validator
+from pydantic import Field, Tag, ValidationError, WithJsonSchema, model_validator
 
-from kinetruss.errors import Fault, shown
+from kinetruss.errors import Fault
 from kinetruss.model.catalogues import Catalogue, CatalogueText
 from kinetruss.model.data import Safety
 from kinetruss.model.members import Active
-from kinetruss.model.record import Flag, Name, NameOrRecord, Number, Record, Whole
+from kinetruss.model.record import Flag, Name, NameOrRecord, Number, Record, Whole, one_format
 from kinetruss.model.references import LoadCaseNames, matched, unknown_names
 from kinetruss.model.table import Filled
 from kinetruss.model.the_model import Model
@@ -23,12 +23,6 @@ Patterns = Annotated[tuple[str, ...], Field(min_length=1)]
 """Names of members, or patterns with ``*``, ``?`` and ``[..]``, e.g. ``B?.M[1-6]``."""
 
 CatalogueOrName = Annotated[Annotated[Catalogue, Tag("record")] | Annotated[CatalogueText, Tag("name")], NameOrRecord]
-
-
-def _format(value: Any) -> Any:
-    if value not in (FORMAT, str(FORMAT)) or isinstance(value, bool):
-        raise ValueError(f"mission format {shown(value)} is not known here. This release reads kinetruss_mission: {FORMAT}.")
-    return FORMAT
 
 
 class Group(Record):
@@ -78,7 +72,9 @@ class Mission(Record):
     self_locking : every screw must hold by itself.
     """
 
-    kinetruss_mission: Annotated[int, BeforeValidator(_format), WithJsonSchema({"const": FORMAT})] = FORMAT
+    kinetruss_mission: Annotated[
+        int, one_format(FORMAT, "kinetruss_mission", "mission format {}"), WithJsonSchema({"const": FORMAT})
+    ] = FORMAT
     title: str = ""
     runs: Annotated[tuple[Name, ...], Field(min_length=1)] | None = None
     load_cases: Annotated[tuple[LoadCaseNames, ...], Field(min_length=1)] | None = None

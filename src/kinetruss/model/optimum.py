@@ -6,8 +6,8 @@ from typing import Annotated, Any, Literal
 
 from pydantic import BeforeValidator, Field, ValidationError, WithJsonSchema, model_validator
 
-from kinetruss.errors import Fault, shown
-from kinetruss.model.record import Name, Number, Of, Record, Whole
+from kinetruss.errors import Fault
+from kinetruss.model.record import Name, Number, Of, Record, Whole, one_format
 from kinetruss.model.table import Filled
 from kinetruss.model.words import faults_of
 from kinetruss.units import NUMBER
@@ -41,14 +41,6 @@ def unit_given(value: float) -> str | None:
 Settings = dict[str, Any]
 Arguments = Annotated[dict[str, Any], BeforeValidator(_plain)]
 """Arguments of an analysis by name."""
-
-
-def _format(value: Any) -> Any:
-    if value not in (FORMAT, str(FORMAT)) or isinstance(value, bool):
-        raise ValueError(
-            f"format {shown(value)} of an optimum is not known here. This release reads kinetruss_optimum: {FORMAT}."
-        )
-    return FORMAT
 
 
 class OptimumVariable(Record):
@@ -133,7 +125,9 @@ class OptimumTask(Record):
     seconds : for a choice from lists, proven by branch and bound; then it stops with the gap that is left.
     """
 
-    kinetruss_optimum: Annotated[int, BeforeValidator(_format), WithJsonSchema({"const": FORMAT})] = FORMAT
+    kinetruss_optimum: Annotated[
+        int, one_format(FORMAT, "kinetruss_optimum", "format {} of an optimum"), WithJsonSchema({"const": FORMAT})
+    ] = FORMAT
     title: str = ""
     model: str | None = None
     set: Settings = Field(default_factory=dict)

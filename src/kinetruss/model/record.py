@@ -280,6 +280,17 @@ class OneForBoth:
         return {"anyOf": [pair["prefixItems"][0], pair]}
 
 
+def one_format(number: int, key: str, words: str) -> BeforeValidator:
+    """The check of a format's version, which is this number. key : of it in a file. words : what a version is called."""
+
+    def checked(value: Any) -> int:
+        if value not in (number, str(number)) or isinstance(value, bool):
+            raise ValueError(f"{words.format(shown(value))} is not known here. This release reads {key}: {number}.")
+        return number
+
+    return BeforeValidator(checked)
+
+
 # besides white space and slashes: control characters, and characters that change the direction of text or are invisible
 _HIDDEN = r"\x00-\x1f\x7f-\x9f\u200b\u200e\u200f\u2028-\u202e\u2060-\u206f\ufeff"
 Name = Annotated[str, Field(strict=True, min_length=1, max_length=200, pattern=rf"^[^\s/\\{_HIDDEN}]+$")]

@@ -48,7 +48,7 @@ def entry(row: Any) -> dict[str, Any]:
 
 def plain(value: Any, infinite: str | None = "Infinity") -> Any:
     """Tables, lists, texts and numbers that JSON can hold: NaN becomes None. infinite : what infinity becomes."""
-    if isinstance(value, dict):
+    if isinstance(value, Mapping):
         return {str(key): plain(one, infinite) for key, one in value.items()}
     if isinstance(value, (list, tuple)):
         return [plain(one, infinite) for one in value]

@@ -17,6 +17,7 @@ from kinetruss.display.tables import mixed, words
 from kinetruss.report.page import Page
 from kinetruss.report.pictures.draw import write
 from kinetruss.report.pictures.specs import ACCENT, INK, QUIET, RC
+from kinetruss.report.run_data import plain
 from kinetruss.units import parse
 
 if TYPE_CHECKING:
@@ -50,7 +51,7 @@ def study(found: StudyResult) -> Page:
 
 
 def _record(found: StudyResult) -> dict[str, Any]:
-    summary = {name: _plain(getattr(found.summary, name)) for name in type(found.summary).__dataclass_fields__}
+    summary = {name: plain(getattr(found.summary, name), None) for name in type(found.summary).__dataclass_fields__}
     return {
         "title": found.title,
         "run": found.run,
@@ -60,17 +61,10 @@ def _record(found: StudyResult) -> dict[str, Any]:
         "failures": found.failures,
         "variables": {name: found.data[name].attrs.get("units", "") for name in found.variables},
         "results": {name: found.data[name].attrs.get("units", "") for name in found.results},
-        "nominal": _plain(found.nominal),
-        "gradients": _plain(found.gradients),
+        "nominal": plain(found.nominal, None),
+        "gradients": plain(found.gradients, None),
         "summary": summary,
     }
-
-
-def _plain(value: Any) -> Any:
-    """Plain data: JSON has no NaN and no infinity."""
-    if isinstance(value, Mapping):
-        return {key: _plain(one) for key, one in value.items()}
-    return None if isinstance(value, float) and not math.isfinite(value) else value
 
 
 def _rows(found: StudyResult) -> Iterable[list[Any]]:

@@ -14,7 +14,7 @@ from kinetruss.io import MAX_SIZE
 from kinetruss.io.records import record_of_file
 from kinetruss.limits import MOST_VARIANTS
 from kinetruss.model import Model, Record
-from kinetruss.model.record import Name, Whole
+from kinetruss.model.record import Name, Whole, one_format
 from kinetruss.model.table import Table
 from kinetruss.model.words import faults_of
 from kinetruss.units import NUMBER
@@ -27,12 +27,6 @@ RANDOM = ("latin_hypercube", "sobol", "monte_carlo", "saltelli")
 Text = Annotated[str, BeforeValidator(lambda value: str(value) if isinstance(value, (int, float)) else value)]
 """A value as it stands in a model file."""
 Count = Annotated[Whole, Field(ge=1, le=MOST_VARIANTS)]
-
-
-def _format(value: Any) -> Any:
-    if value not in (FORMAT, str(FORMAT)) or isinstance(value, bool):
-        raise ValueError(f"study format {shown(value)} is not known here. This release reads kinetruss_study: {FORMAT}.")
-    return FORMAT
 
 
 def parted(text: str) -> tuple[float, str] | None:
@@ -164,7 +158,7 @@ class Study(Record):
     'kg'
     """
 
-    kinetruss_study: Annotated[int, BeforeValidator(_format)] = FORMAT
+    kinetruss_study: Annotated[int, one_format(FORMAT, "kinetruss_study", "study format {}")] = FORMAT
     title: str = ""
     model: Annotated[Any, BeforeValidator(_model)]
     run: Name | None = None
