@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Hashable, Mapping
 from functools import cached_property
-from typing import Any, Self
+from typing import Any, Self, cast
 
 from pydantic import BaseModel, ValidationError, model_validator
 
@@ -128,7 +128,8 @@ class Model(ModelData):
         >>> one.moved(one.nodes | {"B": kt.Node(at=(2, 0))}).nodes["B"].at
         (2.0, 0.0)
         """
-        found: Self = type(self).model_construct(self.model_fields_set, **self._given() | {"nodes": ReadOnly(nodes)})
+        fields = self._given() | {"nodes": ReadOnly(nodes)}
+        found = cast("Self", type(self).model_construct(self.model_fields_set, **fields))
         try:
             found._check(named=True)
         except ModelError:

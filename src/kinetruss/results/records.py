@@ -237,9 +237,12 @@ class Verdict(Result):
     def __repr__(self) -> str:
         return _with_highest(super().__repr__(), self.table())
 
-    def table(self) -> list[Row]:
-        """Rows, highest utilisation first; entries that could not be checked are last, with the reason."""
-        return rows_of(self.arrays, "part", "rule")
+    def table(self, *, timed: bool = True) -> list[Row]:
+        """Rows, highest utilisation first; entries that could not be checked are last, with the reason.
+
+        timed : False for one pose at rest, whose time says nothing.
+        """
+        return rows_of(self.arrays, "part", "rule", timed=timed)
 
     def not_checked(self) -> dict[str, list[str]]:
         """``rule: what is missing`` -> the parts that were not checked for this reason."""

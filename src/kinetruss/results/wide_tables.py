@@ -102,11 +102,11 @@ class Row:
         return f"<{type(self).__name__} {self.text}>"
 
 
-def rows_of(data: xr.Dataset | Columns, subject: str, rule: str) -> list[Row]:
+def rows_of(data: xr.Dataset | Columns, subject: str, rule: str, *, timed: bool = True) -> list[Row]:
     """Rows from arrays over (subject, rule), highest utilisation first, entries not checked last. An infinite one, of a
     beam-column beyond Euler's load, follows the finite one of its part that says by how much the limit is exceeded.
 
-    Entries that do not apply (NaN without a note) are omitted.
+    Entries that do not apply (NaN without a note) are omitted. timed : False for one pose at rest, whose time says nothing.
 
     >>> import kinetruss as kt
     >>> model = kt.Model(
@@ -123,27 +123,19 @@ def rows_of(data: xr.Dataset | Columns, subject: str, rule: str) -> list[Row]:
     members = data["member"].values.tolist() if "member" in data else parts
     units = data["unit"].values.tolist() if "unit" in data else [""] * len(rules)
     # read whole arrays: reading single values from a dataset takes a hundred times as long
-    numbers = {key: _column(data, key, count, len(rules), math.nan) for key in _NUMBERS}
-    texts = {key: _column(data, key, count, len(rules), "") for key in ("note", "load_case", "pose")}
-    rows = []
-    for i, j in itertools.product(range(count), range(len(rules))):
-        note = str(texts["note"][i][j])
-        if math.isnan(numbers["utilisation"][i][j]) and not note:
+    numbers = [_column(data, key, count, len(rules), math.nan) for key in _NUMBERS]
+    texts = [_column(data, key, count, len(rules), "") for key in ("note", "load_case", "pose")]
+    if not timed:
+        numbers[_NUMBERS.index("time_of")] = [math.nan] * (count * len(rules))
+    names = [name.removesuffix("_of") for name in _NUMBERS]
+    share, rows = numbers[_NUMBERS.index("utilisation")], []
+    for k, (note, case, pose) in enumerate(zip(*texts, strict=True)):
+        if math.isnan(share[k]) and not note:
             continue
-        found = {key: float(column[i][j]) for key, column in numbers.items()}
-        time = found.pop("time_of")
+        i, j = divmod(k, len(rules))
+        found = {name: column[k] for name, column in zip(names, numbers, strict=True)}
         rows.append(
-            Row(
-                part=str(parts[i]),
-                member=str(members[i]),
-                rule=rules[j],
-                unit=str(units[j]),
-                time=time,
-                load_case=str(texts["load_case"][i][j]),
-                pose=str(texts["pose"][i][j]),
-                note=note,
-                **found,
-            )
+            Row(part=parts[i], member=members[i], rule=rules[j], unit=units[j], load_case=case, pose=pose, note=note, **found)
         )
     of: dict[str, list[float]] = {}
     for row in rows:
@@ -175,9 +167,13 @@ def most_used(values: Iterable[float]) -> float:
     return finite if finite >= 1 or not known else max(known)
 
 
-def _column(data: xr.Dataset | Columns, key: str, count: int, rules: int, missing: Any) -> Any:
-    """Values over (subject, rule) as lists."""
-    return data[key].values.tolist() if key in data else [[missing] * rules] * count
+def _column(data: xr.Dataset | Columns, key: str, count: int, rules: int, missing: Any) -> list[Any]:
+    """Values over (subject, rule), those of one subject behind those of the one before."""
+    if key not in data:
+        return [missing] * (count * rules)
+    values = data[key].values
+    found: list[Any] = values.astype(float if isinstance(missing, float) else str, copy=False).reshape(-1).tolist()
+    return found
 
 
 def row_text(rows: Iterable[Row], columns: tuple[str, ...] = COLUMNS) -> str:

@@ -191,22 +191,26 @@ def find(
     >>> found.state, found.sentence
     ('ok', 'OK; strut, buckling: 6.14 %')
     """
-    rows = [] if verdict is None or "utilisation" not in verdict.arrays else verdict.table()  # a run's, before its end
+    rows = (
+        [] if verdict is None or "utilisation" not in verdict.arrays else verdict.table(timed=timed)
+    )  # a run's, before its end
     if verdict is not None and not verdict.status.ok:
         partial = partial or verdict.status.value.rstrip(".")
-    several = [
-        rows,
-        *(largest_first(some, lambda row: row.utilisation if row.checked else -math.inf) for some in (drives, quantities)),
-    ]
-    members, others, measured = several if timed else ([replace(row, time=math.nan) for row in some] for some in several)
+    others, measured = (
+        [row if timed else replace(row, time=math.nan) for row in largest_first(some, _by_use)] for some in (drives, quantities)
+    )
     return Finding(
-        members=tuple(members),
+        members=tuple(rows),
         drives=tuple(others),
         quantities=tuple(measured),
         left_out=() if verdict is None else tuple(map(str, verdict.attrs.get("not_held", []))),
         partial=partial,
         doubts=tuple(doubts),
     )
+
+
+def _by_use(row: Row) -> float:
+    return row.utilisation if row.checked else -math.inf
 
 
 def demands(demand: Mapping[str, Demand]) -> list[Row]:
