@@ -31,7 +31,7 @@ def let(model: kt.Model, held: bool = True):
 
 def test_a_pendulum_swings_with_the_period_of_the_elliptic_integral():
     header, arrays = let(pendulum())
-    assert (header["swept"], header["ends"], header["held"]) == ([], ["", ""], True)
+    assert (header["swept"], header["ends"], header["drives_hold"]) == ([], ["", ""], True)
     t, y = arrays["time"], arrays["position"][:, 1, 1]
     period = 4 * math.sqrt(0.5 / G) * ellipk(math.sin(math.pi / 4) ** 2)
     low = t[1:-1][(y[1:-1] < y[:-2]) & (y[1:-1] <= y[2:])]

@@ -24,7 +24,9 @@ PATIENCE = 20.0
 def let_go(
     model: Model, position: Floats, held: bool, strength: bool = False, duration: float = TURN
 ) -> tuple[dict[str, Any], dict[str, Floats]]:
-    """The motion from rest in a closed pose (n_nodes, dim), m, for so long (s): as `sweeps.film`, with energies over time, J.
+    """The motion from a closed pose (n_nodes, dim), m, for so long (s): as `sweeps.film`, with energies over time, J.
+
+    It starts with the velocities of the model's nodes, at rest if it gives none.
 
     held : drives stay where they are; else they are free and give no force. strength : also the utilisation of members.
 
@@ -57,4 +59,4 @@ def let_go(
     )  # fmt: skip
     header, arrays = packed(found, model, run.forces, strength)
     energies = {name: run.data[name].values for name in ("kinetic_energy", "potential_energy")}
-    return header | {"swept": [], "held": held}, arrays | energies
+    return header | {"swept": [], "drives_hold": held}, arrays | energies

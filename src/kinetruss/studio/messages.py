@@ -373,7 +373,7 @@ def sweep(session: Session, drives: Names, rate: Typed | None = None, at_speed: 
 
 @message
 def let_go(session: Session, held: bool = True, strength: bool = False) -> Answer:
-    """The motion from rest of what nothing holds, to be played: as `sweep`, with energies.
+    """The motion of what nothing holds once it is let go, to be played: as `sweep`, with energies.
 
     held : the drives stay where they are; else they are free. strength : as of `sweep`.
     """

@@ -305,7 +305,7 @@ export class Play extends Player {
     const { unit } = film;
     const torque = held[most] > 0 ? ` Largest ${unit === "rad" ? "torque" : "force"}${this.cut ? " away from the dead point" : ""} ${quantity(held[most], unit === "rad" ? "N m" : "N")} at ${quantity(film.value(most), unit)}.` : "";
     const speed = film.at_speed ? `${film.swept[0]} at ${rateOf(film.rate, unit)}. ` : "";
-    if (film.falls) spans.push(`Let go from rest${film.held && film.drives.length ? ", the drives hold still" : ""}; ${quantity(film.time.at(-1), "s")}`);
+    if (film.falls) spans.push(`Let go${film.arrays.kinetic_energy.data[0] > 0 ? " with the velocities of the model" : ", from rest"}${film.drives_hold && film.drives.length ? ", while the drives hold still" : ""}`);
     const bent = film.bent ? "Parts that bend or stretch are in equilibrium, at rest. " : "";
     return [...ends, el("span", {}, `${bent}${speed}${spans.slice(0, 3).join("; ")}.${torque} ${this.swings().join(" ")} `), this.strength(), nextSteps(this.draw, this)];
   }
