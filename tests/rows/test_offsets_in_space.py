@@ -60,6 +60,7 @@ def test_the_force_on_the_line_is_that_of_the_lever():
         ({}, "Give axis or along"),
         ({"axis": "x", "along": "x"}, "Give axis or along"),
         ({"axis": (3.0, 1.0, 0.0)}, "points along its direction"),
+        ({"axis": "z"}, "with value: 0"),
     ],
 )
 def test_an_offset_in_space_has_one_direction_across_its_line(way, words):

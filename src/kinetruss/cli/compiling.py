@@ -36,8 +36,9 @@ STEP = 20
 @click.option("--all", "rare", is_flag=True, help="Also what only some models need: hinges, membranes, large structures.")
 @click.option("-q", "--quiet", is_flag=True, help="Print nothing but errors.")
 def compile_kernels(as_json: bool, rare: bool, quiet: bool) -> None:
-    """Compile the kernels that most runs and drawings need, and keep them on disk. It takes some minutes, once; otherwise the
-    first runs do it.
+    """Compile the kernels of most runs and drawings, and keep them.
+
+    They are kept on disk. It takes some minutes, once; otherwise the first runs do it.
 
     Kernels that are already on disk are not compiled again. For container images: compile with `--all` when they are built;
     they then run without write permission. NUMBA_CACHE_DIR names another folder for the kernels.

@@ -152,6 +152,15 @@ def _offset(model: ModelData, one: Any, path: Path, dim: int) -> Iterator[Fault]
             yield Fault((*path, "line"), "joins two nodes that stand at one place.", "Give two nodes that are apart.")
         elif ways and _across(d, ways[0]) <= ON_AXIS * long:
             yield Fault(path, "has a line that points along its direction.", "Give a direction across the line.")
+        elif ways and not _on_line(model, path):
+            words = "is an offset in space that is not kept 0; off the line its direction would not turn with the line."
+            yield Fault(path, words, "In space take it alone, in a coupling with value: 0, which keeps the node on the line.")
+
+
+def _on_line(model: ModelData, path: Path) -> bool:
+    """Whether a path is that of the only term of a coupling whose value is 0."""
+    own = model.couplings.get(path[1]) if path[0] == "couplings" else None
+    return own is not None and len(own.terms) == 1 and own.value == 0.0
 
 
 def _hinge(model: ModelData, one: Any, path: Path, dim: int) -> Iterator[Fault]:

@@ -181,8 +181,9 @@ Drive = Annotated[LengthDrive | AngleDrive | HingeDrive | CoordinateDrive, Field
 class OffsetCoordinate(Record):
     """Distance (m) of a node from the line of two others, positive to the left of first -> second.
 
-    In space it counts in one direction across the line, which `axis` or `along` gives. A node on the line has both distances 0,
-    that of an `axis` and that `along` it; neither is defined where the line points along that direction.
+    In space it counts in one direction across the line, which `axis` or `along` gives, and is for couplings that keep it 0. A
+    node on the line has both distances 0, that of an `axis` and that `along` it; neither is defined where the line points along
+    that direction.
 
     line : two nodes on the line. point : the node whose distance it is.
     axis : in space, x, y, z or a direction: the distance to the left of the line as seen against it, as in the plane against z.

@@ -43,17 +43,17 @@ export function membersAt(draw, node) {
   return [...new Set(draw.state.members.filter(({ ends }) => ends.includes(node)).map(({ name }) => name))];
 }
 
-/** Whether a member has an angle that is driven or measured, in space about the normal of the work plane, or about the axis about which it
- * is driven already: that coordinate; null, and why. */
+/** The angle of a member as a coordinate: in space about the axis of its drive, else about the normal of the work plane. Nothing, and
+ * words about it, if it has none. */
 export function turning(draw, member) {
   const { data, dim } = draw.state;
-  if (!["bars", "links", "active"].some((table) => member in (data[table] || {}))) return draw.tell(`${member} is a beam, which has no angle of its own: take a bar or a link (Kind, in the panel).`, true) ?? null;
+  if (!["bars", "links", "active"].some((table) => member in (data[table] || {}))) return draw.tell(`${member} is a beam, which has no angle of its own: take a bar or a link (Kind, in the panel).`, true);
   if (dim === 2) return { kind: "angle", bar: member };
   const own = Object.values(data.drives || {}).find((one) => one.kind === "angle" && one.bar === member);
   const axis = own?.axis || "xyz"[draw.camera.plane.axis], { nodes } = memberOf(draw, member), normal = direction(axis);
   const along = draw.at(nodes[0]).map((value, k) => draw.at(nodes.at(-1))[k] - value), length = Math.hypot(...along);
   if (Math.abs(along.reduce((sum, value, k) => sum + value * normal[k], 0)) < 0.999999 * length) return { kind: "angle", bar: member, axis };
-  return draw.tell(`${member} points along ${axis}, so it has no angle about it. In space the axis is the normal of the work plane: choose another Plane, above the drawing.`, true) ?? null;
+  return draw.tell(`${member} points along ${axis}, so it has no angle about it. In space the axis is the normal of the work plane: choose another Plane, above the drawing.`, true);
 }
 
 /** The direction of an axis of the model: a letter or three numbers; z if there is none. */
