@@ -140,7 +140,7 @@ export class ToolRail {
     if (tool) draw.setTool(tool.name);
     else if (turn) { draw.camera.turn(...turn); draw.canvas.update(); }
     else if (key === "Delete" || key === "Backspace") draw.remove();
-    else if (key === "Escape") draw.tools.escape();
+    else if (key === "Escape") draw.keyboard.escape();
     else if (key === " " && !target.closest("button, a, summary")) draw.play.toggle();
     else if (key === "f") draw.fit();
     else if (key === "a") this.toggle("names");
