@@ -201,7 +201,7 @@ def test_keys_alone_draw_a_triangle_and_the_text_follows_both_ways(show, served)
     assert state["nodes"] == ["A", "B", "C"]
     step = hand.js("draw.camera.grid")
     np.testing.assert_allclose(state["places"], np.array([[0, 0], [5, 0], [5, 3]]) * step, atol=1e-12)
-    hand.press("b", "Enter", "ArrowDown", "ArrowDown", "ArrowDown", "Enter", "Enter", *["ArrowLeft"] * 5, "Enter")
+    hand.press("b", "Enter", "ArrowDown", "ArrowDown", "ArrowDown", "Enter", *["ArrowLeft"] * 5, "Enter")
     assert [one["ends"] for one in hand.state()["members"]] == [["C", "B"], ["B", "A"]]
     area = hand.page.get_by_label("model as text")
     text = area.input_value()

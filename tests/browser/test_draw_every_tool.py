@@ -123,12 +123,12 @@ class Way:
         hand.write("grid step in m", "0.1")
         if dim == 3:
             hand.page.locator("svg.drawing").focus()
-            hand.press("PageUp")
+            hand.press("Shift+PageUp")
             assert hand.js("draw.camera.plane") == {"axis": 2, "at": HEIGHT}
 
     def anew(self) -> dict[str, Any]:
         """The drawing of the beginning."""
-        self.hand.js("(draw.tools.escape(), draw.dimensions.clear(), draw.task.clear(), draw.setTool('pick'), draw.tell(''))")
+        self.hand.js("(draw.keyboard.escape(), draw.task.clear(), draw.setTool('pick'), draw.tell(''))")
         self.hand.js("draw.ask({ do: 'text', text: given })", text_of(self.dim))
         return self.data()
 

@@ -95,6 +95,7 @@ def test_what_is_typed_stays_while_another_page_draws(show, served):
     field.click()
     hand.page.keyboard.press("End")
     hand.page.keyboard.type(" of al")
+    other.press("n")
     other.click((0, 0, 0))
     hand.shown.until("kinetruss.draw.state.nodes.length === 1")
     assert field.input_value() == "first of al"

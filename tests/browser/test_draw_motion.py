@@ -96,7 +96,7 @@ def test_by_keys_alone_it_plays_is_stopped_and_is_moved(opened):
     assert not hand.js("draw.play.away")
     np.testing.assert_allclose(hand.state()["places"], [node.at for node in model.nodes.values()], atol=1e-15)
     hand.press("m")
-    hand.page.evaluate("kinetruss.draw.tools.setCursor(kinetruss.draw.at('B'))")
+    hand.page.evaluate("kinetruss.draw.keyboard.setCursor(kinetruss.draw.at('B'))")
     hand.press("Enter", "ArrowLeft", "ArrowLeft", "ArrowLeft")
     hand.press("Enter")
     state = hand.state()

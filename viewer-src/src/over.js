@@ -10,6 +10,7 @@ const ROUND_OFF = 1e-7; // of the largest force: numbers of a scene have seven d
 const LOOKED = 4000; // members and frames that are looked at for the scale
 const KEYS = { N: "T", V: "V2", M: "M3" };
 const AROUND = [[0, 1], [0, -1], [1, 0], [-1, 0], [1, 1], [-1, 1], [1, -1], [-1, -1]];
+const NEAR = [1, 2], FAR = [1, 2, 4, 8, 16, 24]; // rings about a tip where its words may stand; the largest value's are never left out
 
 export class Over {
   constructor(view) {
@@ -87,7 +88,7 @@ export function placedValues(found, unit, { width, height }, taken) {
   for (const one of ranked) {
     const words = quantity(one.value, unit), wide = 6.4 * words.length + 6, high = 15;
     const box = ([x, y]) => [x - wide / 2, y - high / 2, x + wide / 2, y + high / 2];
-    const places = placesAbout(one, wide, high).filter(([x, y]) => x > wide / 2 && y > high / 2 && x < width - wide / 2 && y < height - high / 2);
+    const places = placesAbout(one, wide, high, placed.length ? NEAR : FAR).filter(([x, y]) => x > wide / 2 && y > high / 2 && x < width - wide / 2 && y < height - high / 2);
     const at = places.find((place) => [...taken, ...placed.map((other) => other.box)].every((other) => apart(box(place), other))) || (placed.length ? null : places[0]);
     if (at) placed.push({ ...one, words, at, box: box(at), chief: !placed.length });
   }
@@ -112,9 +113,9 @@ const path = (points) => `M${points.map(([x, y]) => `${x.toFixed(1)} ${y.toFixed
 const apart = (a, b) => a[2] <= b[0] || b[2] <= a[0] || a[3] <= b[1] || b[3] <= a[1];
 
 /** Middles of a text about a tip, those away from the member first. */
-function placesAbout({ tip, foot }, wide, high) {
+function placesAbout({ tip, foot }, wide, high, rings) {
   const way = [tip[0] - foot[0], tip[1] - foot[1]], along = ([x, y]) => x * way[0] + y * way[1];
-  return [1, 2].flatMap((far) => AROUND.toSorted((a, b) => along(b) - along(a)).map(([x, y]) => [tip[0] + x * (wide / 2 + 3 * far), tip[1] + y * (high / 2 + 4 * far)]));
+  return rings.flatMap((far) => AROUND.toSorted((a, b) => along(b) - along(a)).map(([x, y]) => [tip[0] + x * (wide / 2 + 3 * far), tip[1] + y * (high / 2 + 4 * far)]));
 }
 
 /** Where the legend of a picture is, and the line on its diagram. */

@@ -389,7 +389,7 @@ def _put(data: Data, table: str, name: str, entry: Any) -> Data:
 
 
 def _known(data: Data, table: str, name: str) -> None:
-    tables = MEMBERS if table in MEMBERS else (table,)
+    tables = MEMBERS if table in MEMBERS else (*MEMBERS, "drives", "couplings", table) if table == "springs" else (table,)
     if not any(name in (data.get(one) or {}) for one in tables):
         known = [other for one in tables for other in data.get(one) or {}]
         raise InputError(f"No entry called {name!r} in {table}. {nearest(name, known)}")
@@ -398,6 +398,6 @@ def _known(data: Data, table: str, name: str) -> None:
 def _refuse_taken(data: Data, table: str, name: str) -> None:
     if not re.fullmatch(r"[^\s/\\\x00-\x1f]{1,200}", name):
         raise InputError(f"{name!r} is no name. Write letters, digits, . _ -, without spaces.")
-    tables = MEMBERS if table in MEMBERS else (table,)
+    tables = MEMBERS if table in MEMBERS else (*MEMBERS, "drives", "couplings", table) if table == "springs" else (table,)
     if any(name in (data.get(one) or {}) for one in tables):
         raise InputError(f"{name!r} is there already. Choose another name.")

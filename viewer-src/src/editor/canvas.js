@@ -18,6 +18,7 @@ const SUPPORT = 24; // pixels of the symbol of a support
 const MANY = 80; // nodes above which names are hidden
 const FEW = 24; // members up to which all have their names while it moves
 const SOME = 60; // members up to which those with room have their names at rest; else those that are picked or pointed at
+const CLOSE = 12, FINGER = 22; // pixels from a node within which it is meant, by a pointer and by a finger
 const SEVERAL = 7; // arrows of a load along a member
 
 const colour = (scale, value, limits) => `rgb(${colourOf(scale, value, limits).map(Math.round).join(" ")})`;
@@ -318,18 +319,19 @@ export class Canvas {
   /** The node or member at a place of the screen; `allowed` chooses among the nodes. */
   hit([x, y], touch = false, allowed = () => true) {
     const { state } = this.draw;
-    const near = touch ? 22 : 12;
+    const near = touch ? FINGER : CLOSE;
     let best = null;
     this.seen.forEach((p, k) => {
       const apart = Math.hypot(p[0] - x, p[1] - y);
       if (apart <= near && allowed(state.nodes[k]) && (!best || apart < best.apart - 1e-6 || (apart < best.apart + 1e-6 && p[2] > best.depth))) best = { type: "node", name: state.nodes[k], apart, depth: p[2] };
     });
-    if (best) return best;
+    if (best?.apart <= CLOSE) return best;
+    const beside = best ? best.apart - CLOSE + 4 : Infinity; // a short bar under a finger, between its nodes
     state.members.forEach(({ name, ends }) => {
       const [p, q] = ends.map((end) => this.at(end));
       const f = nearest(p, q, [x, y]);
       const apart = Math.hypot(p[0] + f * (q[0] - p[0]) - x, p[1] + f * (q[1] - p[1]) - y);
-      if (apart <= (touch ? 16 : 8) && (!best || apart < best.apart)) best = { type: "member", name, apart };
+      if (apart <= (touch ? 16 : 8) && apart < beside && (!best || apart < best.apart)) best = { type: "member", name, apart };
     });
     return best;
   }

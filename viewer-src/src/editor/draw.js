@@ -13,6 +13,7 @@ import { Files } from "./files.js";
 import { Groups } from "./groups.js";
 import { Hand } from "./hand.js";
 import { HANDS } from "./measures.js";
+import { Keyboard } from "./keyboard.js";
 import { Menu } from "./menu.js";
 import { Picture } from "./picture.js";
 import { Play } from "./play.js";
@@ -30,6 +31,11 @@ import { Whole } from "./whole.js";
 
 const OFTEN = 6; // moves of a drag after which the curve may follow
 const QUIET = new Set(["running"]); // asked again and again, beside what is drawn
+/** Parts of the page by the names under which they know each other. */
+const PARTS = {
+  picture: Picture, curves: Curves, diagram: Diagram, readout: Readout, play: Play, welcome: Welcome, canvas: Canvas, status: Status, properties: Properties, whole: Whole, groups: Groups,
+  text: Text, entries: Entries, files: Files, task: Ask, starters: Starters, takeAway: Take, menu: Menu, value: Value, rail: ToolRail, tools: Hand, keyboard: Keyboard,
+};
 // what does not change the drawing; while anything else is computed, nothing is shown of the state before
 const ASIDE = { curve: "Computing the path ...", over: "Computing the diagram ...", sweep: "Computing the motion ...", let_go: "Computing the motion ...", run: "Starting the run ...", stop: "Stopping the run ...", ask: "Looking for linkages ...", starters: "Drawing the pictures ...", take: "Making the file ...", save: "Saving ...", keep: "Saving ...", versions: "Reading the versions ...", picture: "Saving the picture ...", dimension: "Saving the dimension ..." };
 
@@ -53,27 +59,7 @@ export class Draw extends Talk {
     this.camera = new Camera();
     this.banner = el("p", { class: "banner", role: "status", hidden: true });
     this.spoken = el("p", { class: "spoken", role: "status", "aria-live": "polite" });
-    this.picture = new Picture(this);
-    this.curves = new Curves(this);
-    this.diagram = new Diagram(this);
-    this.readout = new Readout(this);
-    this.play = new Play(this);
-    this.welcome = new Welcome(this);
-    this.canvas = new Canvas(this);
-    this.status = new Status(this);
-    this.properties = new Properties(this);
-    this.whole = new Whole(this);
-    this.groups = new Groups(this);
-    this.text = new Text(this);
-    this.entries = new Entries(this);
-    this.files = new Files(this);
-    this.task = new Ask(this);
-    this.starters = new Starters(this);
-    this.takeAway = new Take(this);
-    this.menu = new Menu(this);
-    this.value = new Value(this);
-    this.rail = new ToolRail(this);
-    this.tools = new Hand(this);
+    for (const [name, Part] of Object.entries(PARTS)) this[name] = new Part(this);
     const panel = el("aside", { class: "controls sketch", "aria-label": "drawing" }, el("div", { class: "head" }, this.banner, this.files.offer, this.status.node), el("div", { class: "parts" }, this.status.details, this.properties.node, this.whole.node,
       this.properties.freshNode, this.entries.runsNode, this.starters.node, this.task.node, this.entries.node, this.groups.node, this.curves.node, this.picture.node, this.text.node, this.takeAway.node, this.files.node));
     root.replaceChildren(this.rail.node, el("main", {}, el("div", { class: "sheet" }, el("div", { class: "sheetpane" }, this.canvas.node, this.welcome.node, this.starters.strip, this.canvas.legend, this.diagram.told, this.doing, this.readout.node, this.spoken, this.value.node, this.menu.node), this.play.node), panel));
@@ -329,7 +315,7 @@ export class Draw extends Talk {
     if (this.task.takes(tool) && this.state?.dim === 3) return this.tell("Linkages are asked for in the plane. Begin a planar drawing: Draw in the plane, in the panel of an empty drawing.", true);
     this.tool = tool;
     if (!HANDS[tool]) this.several = false;
-    this.tools.grabbed = null;
+    this.keyboard.grabbed = null;
     this.canvas.node.dataset.tool = tool;
     this.tools.cancelAct();
     this.canvas.rubber();

@@ -13,9 +13,9 @@ export class Menu {
   /** Open at a place of the screen, for what is there: {node, member, share, point}. */
   open(place, target) {
     const { draw } = this, hit = target.node ? { type: "node", name: target.node } : target.member ? { type: "member", name: target.member } : null;
-    const kinds = target.node ? ["node", "thing", "place"] : target.member ? ["member", "thing", "place"] : ["place"];
+    const kinds = target.node ? ["node", "thing", "place"] : target.member ? ["member", "thing", "place"] : ["place", "spot"];
     if (hit && !draw.isPicked(hit)) draw.pick(hit);
-    const groups = GROUPS.map(([name, tools]) => [name, tools.filter((tool) => (tool.takes ? kinds.includes(tool.takes([], draw)) : !hit ? tool.name === "node" || tool.name === "bar" : tool.name === "bar" && target.node))]);
+    const groups = GROUPS.map(([name, tools]) => [name, tools.filter((tool) => kinds.includes(tool.takes?.([], draw)))]);
     const item = (label, act, icon) => el("button", { type: "button", role: "menuitem", tabindex: -1, onclick: () => { this.close(); draw.canvas.node.focus({ preventScroll: true }); act(); } }, icon || null, label);
     const own = [...groups.flatMap(([, tools]) => tools.map((tool) => item(tool.words, () => draw.tools.once(tool, target), iconOf(tool.icon))))];
     if (hit) own.push(item("Fields", () => draw.properties.focus()), item("Delete", () => draw.remove()));

@@ -141,7 +141,7 @@ export class ToolRail {
     if (tool) draw.setTool(tool.name);
     else if (turn) { draw.camera.turn(...turn); draw.canvas.update(); }
     else if (key === "Delete" || key === "Backspace") draw.remove();
-    else if (key === "Escape") draw.tools.escape();
+    else if (key === "Escape") draw.keyboard.escape();
     else if (key === " " && !target.closest("button, a, summary")) draw.play.toggle();
     else if ((key === "+" || key === "-") && draw.play.film) draw.play.faster(key === "+" ? 1 : -1);
     else if (key === "f") draw.fit();

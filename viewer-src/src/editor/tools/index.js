@@ -3,16 +3,19 @@
 //
 //   name, words     : what it is called; `key`: its letter or digit; `about`: what one does with it, a sentence
 //   icon            : a path on 24 x 24
-//   takes(given, draw) : what it wants next, null when it has all: "place" (a node, or a point where one is made), "node", "member",
-//                     "thing" (a node or a member), "tip" (any point)
+//   takes(given, draw) : what it wants next, null when it has all: "place" (a node, or a point where one is made), "spot" (the same,
+//                     in the work plane), "node", "member", "thing" (a node or a member), "tip" (any point)
 //   next(given)     : words about what it wants then, if its name does not tell
 //   more(first)     : whether a click is enough, though it would take more of a pull
-//   shows(draw, given, to) : what is drawn meanwhile (SVG)
-//   act(draw, given): what it changes; the promise of a value to type beside it, {at, label, value, set}, or of nothing
+//   chain           : whether the last place of what is clicked begins the next one; a pull stands alone
+//   shows(draw, given, to) : what is drawn meanwhile (SVG); by default a line from the last place
+//   act(draw, given): what it changes; the promise of a value to type, {at, label, value, set}, or of nothing. Without `at` its field
+//                     stands in the corner, out of the way of what is drawn next
 //
 // What is given: {node, member, share (of the member), point}, one after another: press and release, click and click, Enter and Enter.
-// Tools without `takes` are those of hand.js and ask.js.
+// Tools without `takes` are those that drag (hand.js) and those of ask.js.
 
+import { bars } from "./bar.js";
 import { drives } from "./drives.js";
 import { joints } from "./joints.js";
 import { loads } from "./loads.js";
@@ -29,5 +32,5 @@ const asking = [
   { name: "path", words: "Path", key: "w", about: "A path that a linkage shall draw: press, draw, release", icon: "M3 15c3 -14 15 -12 18 -3c-2 9 -14 9 -18 3z" },
 ];
 
-export const GROUPS = [["pick", hands], ["draw", parts], ["hold", supports], ["drive", drives], ["load", loads], ["join", joints], ["measure", measuring], ["ask for a linkage", asking]];
+export const GROUPS = [["pick", hands], ["draw", [...bars, ...parts]], ["hold", supports], ["drive", drives], ["load", loads], ["join", joints], ["measure", measuring], ["ask for a linkage", asking]];
 export const TOOLS = new Map(GROUPS.flatMap(([, tools]) => tools).map((one) => [one.name, one]));

@@ -1,4 +1,4 @@
-// Tools that draw nodes and members.
+// Tools that draw members of several parts, or of a kind of their own.
 
 import { freeName, line, nodesOf, path } from "./given.js";
 import { svg } from "../../dom.js";
@@ -39,8 +39,4 @@ export function between(record, entryOf, value) {
   };
 }
 
-export const parts = [
-  { name: "node", words: "Node", key: "n", about: "A node where you click", icon: "M12 7a5 5 0 1 0 .1 0" },
-  { name: "bar", words: "Bar", key: "b", about: "A bar from press to release, or from click to click; it makes the nodes it needs", icon: "M6 18L18 6M5 17a2 2 0 1 0 .1 0M19 3a2 2 0 1 0 .1 0" },
-  link,
-];
+export const parts = [link];
