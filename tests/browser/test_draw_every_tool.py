@@ -249,13 +249,13 @@ def test_the_tools_of_the_page_itself(show, served, dim, way):
     x, y, *z = own.data()["nodes"]["B"]
     assert (x**2 + y**2, z) == (pytest.approx(0.16), up)  # b1 keeps its length
     assert y > 0.05
-    for given, pull, made in (((B2,), False, '{"bar":"b2"}'), ((B1, B2), True, '{"bars":["b1","b2"]}'),
-                              (("C", "E"), False, '{"nodes":["C","E"]}')):  # fmt: skip
+    for given, pull, made in (((B2,), False, {"members": ["b2"]}), ((B1, B2), True, {"members": ["b1", "b2"]}),
+                              (("C", "E"), False, {"nodes": ["C", "E"]})):  # fmt: skip
         own.anew()
         own.use("dimension", given, pull)
-        assert own.hand.js("[...draw.dimensions]") == [made]
+        assert own.hand.state()["dimensions"] == [made]
         own.use("dimension", given, pull)
-        assert own.hand.js("[...draw.dimensions]") == []
+        assert own.hand.state()["dimensions"] == []
     own.anew()
     if dim == 3:
         for tool in ("positions", "path"):
