@@ -220,3 +220,73 @@ def test_the_picture_and_the_report_are_taken_as_pdf(opened, tmp_path):
         assert coming.value.suggested_filename == file
         assert (tmp_path / file).read_bytes().startswith(b"%PDF-")
         hand.settle()
+
+
+def test_what_is_not_driven_is_let_go_by_keys_and_swings_with_the_forces_of_a_pendulum(opened):
+    mass, length, g = 2.0, 0.5, 9.81
+    model = kt.Model(
+        nodes={"A": (0, 0), "B": kt.Node(at=(length, 0), mass=mass)}, fixed={"A": "xy"}, bars={"b": ("A", "B")},
+        gravity=(0, -g), drives={"motor": kt.AngleDrive("b")},
+    )  # fmt: skip
+    hand = opened(model.with_(drives={}))
+    assert said(hand).startswith("Nothing is driven yet: Play lets it go.")
+    hand.page.locator("svg.drawing").focus()
+    hand.press(" ")
+    hand.shown.until(f"{PLAY}.playing && {PLAY}.index > 2")
+    hand.press(" ")
+    assert "Let go, from rest" in said(hand)
+    assert hand.js("draw.play.film.time.at(-1)") == pytest.approx(6)
+    for index in (20, 200):
+        seek(hand, index)
+        state = hand.state()
+        below = -state["places"][1][1] / length
+        assert state["force"][0] == pytest.approx(3 * mass * g * below, abs=1e-4)  # m v^2/l + m g sin, with v^2 = 2 g l sin
+        assert np.hypot(*state["reaction"]["A"]) == pytest.approx(abs(state["force"][0]), abs=1e-4)
+    hand.press("Escape")
+    # the same of a drive that is let go, by mouse; a drive that holds leaves nothing to fall
+    hand.js("draw.ask({ do: 'set', path: ['drives', 'motor'], value: { kind: 'angle', bar: 'b' } })")
+    hand.settle()
+    hand.button("▶ Play")
+    hand.shown.until(f"{PLAY}.film")
+    hand.choose("drive that moves", "let go")
+    hand.shown.until(f"{PLAY}.film?.falls")
+    stop(hand)
+    seek(hand, 100)
+    state = hand.state()
+    assert (state["drives"][0]["force"], "the drives hold" in said(hand)) == (0, False)
+    assert state["force"][0] == pytest.approx(-3 * mass * g * state["places"][1][1] / length, abs=1e-4)
+    assert (hand.shown.requests, hand.shown.complaints) == ([], [])
+
+
+def test_a_diagram_is_that_of_the_pose_where_the_motion_stops(opened):
+    model = four_bar((0.1, 0.35, 0.3), 0.4)
+    model = model.with_(bars={name: one.model_copy(update=ROD) for name, one in model.bars.items()}, gravity=(0, -9.81))
+    hand = opened(model)
+    hand.choose("diagram", "M")
+    weight = 7850 * 9.81 * math.pi * 0.0025**2  # of the rod, N/m
+
+    def check() -> None:
+        hand.shown.until("kinetruss.draw.diagram.found && !kinetruss.draw.diagram.stale")
+        state = hand.state()
+        b, c = (state["places"][state["nodes"].index(name)] for name in "BC")
+        middle = weight * abs(c[0] - b[0]) * 0.35 / 8  # q cos l^2 / 8
+        found = hand.js("Object.fromEntries(draw.diagram.found.curves.map(({ part, values }) => [part, values]))")
+        most = {part: max(map(abs, values)) for part, values in found.items()}
+        assert most["rod"] == pytest.approx(middle, rel=1e-3)  # a page gets every fourth place
+        assert most["crank"] == pytest.approx(abs(state["drives"][0]["force"]), rel=1e-5)  # at the motor
+        assert hand.page.locator(".drawing .diagram text").count()
+
+    check()
+    hand.button("▶ Play")
+    hand.shown.until(f"{PLAY}.playing && {PLAY}.index > 2")
+    assert hand.page.locator(".told").first.inner_text() == "The diagram is shown where the motion stops."
+    assert not hand.page.locator(".drawing .diagram text").count()
+    stop(hand)
+    for index in (90, 240):
+        seek(hand, index)
+        hand.settle()
+        check()
+    hand.press("Escape")
+    hand.settle()
+    check()
+    assert (hand.shown.requests, hand.shown.complaints) == ([], [])

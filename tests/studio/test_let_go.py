@@ -30,7 +30,7 @@ def let(model: kt.Model, held: bool = True):
 
 
 def test_a_pendulum_swings_with_the_period_of_the_elliptic_integral():
-    header, arrays = let(pendulum())
+    header, arrays, _ = let(pendulum())
     assert (header["swept"], header["ends"], header["drives_hold"]) == ([], ["", ""], True)
     t, y = arrays["time"], arrays["position"][:, 1, 1]
     period = 4 * math.sqrt(0.5 / G) * ellipk(math.sin(math.pi / 4) ** 2)
@@ -45,12 +45,12 @@ def test_a_pendulum_swings_with_the_period_of_the_elliptic_integral():
 
 def test_drives_hold_still_or_are_free():
     model = pendulum(drives={"motor": kt.AngleDrive("b")})
-    _, still = let(model)
+    _, still, _ = let(model)
     assert np.ptp(still["position"], axis=0).max() < 1e-14
     assert still["drive_force"][0, 0] == pytest.approx(2 * G * 0.5)
-    header, free = let(model, held=False)
+    header, free, _ = let(model, held=False)
     assert header["drives"] == [{"name": "motor", "unit": "rad"}]
-    _, alone = let(pendulum())
+    _, alone, _ = let(pendulum())
     np.testing.assert_allclose(free["position"], alone["position"], atol=1e-9)
     np.testing.assert_allclose(free["drive_force"], 0, atol=1e-9)
     tip = free["position"][:, 1]
@@ -65,7 +65,7 @@ def test_what_has_no_mass_is_said_and_a_motion_that_takes_long_is_shown_as_far_a
     with pytest.raises(InputError, match="^Nodes ('[ABP]',? )+have no mass"):  # and none of the inner ones of the link
         let_go(link, compile(link).x0[:, :2], held=True)
     monkeypatch.setattr("kinetruss.studio.let_go.PATIENCE", -1.0)
-    header, arrays = let(pendulum())
+    header, arrays, _ = let(pendulum())
     assert header["ends"][1] == (
         f"Shown up to {arrays['time'][-1]:.4g} s: this motion takes long to compute. A run of its own goes on."
     )

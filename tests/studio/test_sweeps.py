@@ -27,7 +27,7 @@ def crank(mass: float = 0.0, radius: float = 0.2) -> kt.Model:
 def test_a_crank_turns_all_round_and_its_torque_and_reaction_are_those_of_the_lever():
     model = crank()
     found = swept(model, kt.kinematics.assemble(model), ["motor"])
-    header, arrays = film(found, model)
+    header, arrays, _ = film(found, model)
     angle = found.values[:, 0]
     assert found.whole
     assert (found.here, found.ends) == (0, ("", ""))
@@ -46,7 +46,7 @@ def test_at_speed_the_support_carries_the_centripetal_force():
     angle = found.values[:, 0]
     inward = -mass * 0.2 * rate**2 * np.column_stack([np.cos(angle), np.sin(angle)])
     for at_speed in (False, True):
-        _, arrays = film(found, model, at_speed)
+        _, arrays, _ = film(found, model, at_speed)
         np.testing.assert_allclose(arrays["reaction"][:, 0], inward * at_speed + [0, 100], atol=1e-9)
 
 
@@ -85,7 +85,7 @@ def test_the_work_of_the_drive_is_that_of_the_load():
     model = four_bar((0.1, 0.35, 0.3), 0.4)
     found = swept(model, kt.kinematics.assemble(model), ["motor"])
     assert found.whole
-    _, arrays = film(found, model)
+    _, arrays, _ = film(found, model)
     torque, height = arrays["drive_force"][:, 0], arrays["position"][:, 2, 1]
     work = np.r_[0, np.cumsum(np.diff(found.values[:, 0]) * (torque[1:] + torque[:-1]) / 2)]
     np.testing.assert_allclose(work, 100 * (height - height[0]), atol=1e-4 * np.ptp(100 * height))
@@ -117,7 +117,7 @@ def test_the_strength_along_a_motion_is_that_of_every_pose_by_itself():
     bars = {name: kt.Bar(ends=bar.ends, **own[name]) for name, bar in model.bars.items()}
     model = model.with_(bars=bars, loads={"F": kt.NodalForce(node="C", force=(100, 80))})
     found = swept(model, kt.kinematics.assemble(model), ["motor"], samples=37)
-    header, arrays = film(found, model, strength=True)
+    header, arrays, _ = film(found, model, strength=True)
     assert header["judged"] == ["crank", "rod", "rocker"]
     used = arrays["used"]
     for k in range(0, len(found.time), 6):
@@ -132,7 +132,7 @@ def test_the_strength_along_a_motion_is_that_of_every_pose_by_itself():
     assert np.isnan(used[:, 2]).any()
     assert (used[:, 2] > 0).any()
     assert np.isnan(used[:, 1]).all()  # no section
-    bare, arrays = film(found, four_bar((0.1, 0.35, 0.3), 0.4), strength=True)
+    bare, arrays, _ = film(found, four_bar((0.1, 0.35, 0.3), 0.4), strength=True)
     assert (bare["judged"], "used" in arrays) == ([], False)
     assert film(found, model)[0]["judged"] is None
 

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import time
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
 from kinetruss import dynamics
 from kinetruss.display import instant
@@ -11,19 +11,17 @@ from kinetruss.errors import InputError
 from kinetruss.model import Free
 from kinetruss.results import Status
 from kinetruss.studio.poses import reason
-from kinetruss.studio.sweeps import SAMPLES, TURN, Swept, packed
+from kinetruss.studio.sweeps import SAMPLES, TURN, Film, Swept, packed
 
 if TYPE_CHECKING:
     from kinetruss.kernels.compiled.record import Floats
     from kinetruss.model import Model
 
-PATIENCE = 20.0
+PATIENCE = 10.0
 """Seconds of computation after which a motion is shown as far as it has got; they count once kernels are compiled."""
 
 
-def let_go(
-    model: Model, position: Floats, held: bool, strength: bool = False, duration: float = TURN
-) -> tuple[dict[str, Any], dict[str, Floats]]:
+def let_go(model: Model, position: Floats, held: bool, strength: bool = False, duration: float = TURN) -> Film:
     """The motion from a closed pose (n_nodes, dim), m, for so long (s): as `sweeps.film`, with energies over time, J.
 
     It starts with the velocities of the model's nodes, at rest if it gives none.
@@ -57,6 +55,6 @@ def let_go(
         position=motion["position"].values, velocity=motion["velocity"].values, acceleration=motion["acceleration"].values,
         here=0, rate=0.0, whole=False, ends=("", end),
     )  # fmt: skip
-    header, arrays = packed(found, model, run.forces, strength)
+    header, arrays, forces = packed(found, model, run.forces, strength)
     energies = {name: run.data[name].values for name in ("kinetic_energy", "potential_energy")}
-    return header | {"swept": [], "drives_hold": held}, arrays | energies
+    return Film(header | {"swept": [], "drives_hold": held}, arrays | energies, forces)

@@ -15,11 +15,12 @@ from kinetruss.errors import InputError, KinetrussError, ModelError
 from kinetruss.model import nearest
 from kinetruss.studio import asked, beginnings, catalogue, copies, drawing, edits, sweeps
 from kinetruss.studio.dimensions import renamed, toggled
+from kinetruss.studio.films import fall_of, film_of, over_of
 from kinetruss.studio.member_kinds import switched
 from kinetruss.studio.new_parts import made, with_analysis
 from kinetruss.studio.requested_runs import Finite, FrameList, Name, Values
 from kinetruss.studio.session import LARGE, Answer, Desk
-from kinetruss.studio.shown import fall_of, film_of, numbers, over_of
+from kinetruss.studio.shown import numbers
 from kinetruss.studio.taken import Form
 
 Names = Annotated[tuple[Name, ...], Field(max_length=100_000)]
@@ -51,6 +52,9 @@ MESSAGES: dict[str, tuple[type[BaseModel], Act]] = {}
 
 BESIDE = ("run", "running", "stop", "ask", "take")
 """Messages that do not wait for those before them: what takes long is computed beside what else is done."""
+
+DRAWN = ("dimension", "sweep", "let_go", "over", "sections")
+"""Messages that a drawing alone has."""
 
 
 def message(act: Act) -> Act:
@@ -100,6 +104,8 @@ class Session(Desk):
         """The answer to one message: bytes (a scene, a state) or a record for JSON; errors are records, and change nothing."""
         try:
             name, act = message_of(text, self.most)
+            if name in DRAWN and not self.draw:
+                raise InputError("This message is for a drawing.")
             with nullcontext() if name in BESIDE else self.lock:
                 return act(self)
         except ModelError as error:
@@ -292,8 +298,6 @@ def delete(session: Session, nodes: Names = (), members: Names = ()) -> Answer:
 @message
 def dimension(session: Session, nodes: Names = (), members: Names = ()) -> Answer:
     """A distance of two nodes, a length of a member or the angle of two, to be shown; the same again removes it."""
-    if not session.draw:
-        raise InputError("This message is for a drawing.")
     session.drawing.measure(toggled(session.drawing.state.dimensions, session.data, nodes, members))
     session.keep()
     return session.shown()
@@ -366,8 +370,6 @@ def sweep(session: Session, drives: Names, rate: Typed | None = None, at_speed: 
     rate : of the first, rad/s or m/s or text with a unit. at_speed : with inertia at this rate; else every pose at rest.
     strength : also how much of what is allowed every member uses.
     """
-    if not session.draw:
-        raise InputError("This message is for a drawing.")
     return film_of(session, drives, rate, at_speed, strength)
 
 
@@ -377,8 +379,6 @@ def let_go(session: Session, held: bool = True, strength: bool = False) -> Answe
 
     held : the drives stay where they are; else they are free. strength : as of `sweep`.
     """
-    if not session.draw:
-        raise InputError("This message is for a drawing.")
     return fall_of(session, held, strength)
 
 
@@ -389,11 +389,9 @@ def put(session: Session, values: Values) -> Answer:
 
 
 @message
-def over(session: Session, show: Name) -> Answer:
-    """Section forces or the deflection over the drawing."""
-    if not session.draw:
-        raise InputError("This message is for a drawing.")
-    return over_of(session, show)
+def over(session: Session, show: Name, sample: Annotated[int, Field(ge=0)] | None = None) -> Answer:
+    """Section forces or the deflection over the drawing, or over a sample of the motion that was played last."""
+    return over_of(session, show, sample)
 
 
 # Linkages, drawings to begin with, files to take away.
@@ -432,10 +430,8 @@ def starters(session: Session) -> Answer:
 
 
 @message
-def sections(session: Session) -> Answer:
+def sections(session: Session) -> Answer:  # noqa: ARG001  every message gets one
     """Sections to choose from, with their numbers; and densities of the materials of the library, kg/m^3."""
-    if not session.draw:
-        raise InputError("This message is for a drawing.")
     return {"kind": "sections", "rows": list(catalogue.sections()), "densities": catalogue.densities()}
 
 

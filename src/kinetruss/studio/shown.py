@@ -11,7 +11,7 @@ from typing import TYPE_CHECKING, Any, Protocol
 
 import numpy as np
 
-from kinetruss.errors import Fault, InputError, UnitError
+from kinetruss.errors import Fault, UnitError
 from kinetruss.io.writing import located
 from kinetruss.mechanics import compile
 from kinetruss.model import MemberLoad, MemberPointForce, NodalForce, OffsetCoordinate, turns
@@ -19,13 +19,11 @@ from kinetruss.model.links import length_along
 from kinetruss.model.loads_along import fraction
 from kinetruss.results.user_parts import clamps
 from kinetruss.shelves import shelf, shelves
-from kinetruss.strength.curves import curves, factor_of, quantities_shown, sentence
-from kinetruss.studio import sweeps
+from kinetruss.strength.curves import quantities_shown
 from kinetruss.studio.catalogue import weights
 from kinetruss.studio.copies import CELLS
 from kinetruss.studio.edits import MEMBERS, SOFT, ends_of, place_of, supports
 from kinetruss.studio.judging import LISTED_NODES, loose_ends, on_members
-from kinetruss.studio.let_go import let_go
 from kinetruss.studio.member_kinds import role_of
 from kinetruss.studio.new_parts import forms
 from kinetruss.studio.poses import number
@@ -35,7 +33,7 @@ from kinetruss.viewer import pack, scene
 from kinetruss.viewer.support_marks import support_marks
 
 if TYPE_CHECKING:
-    from collections.abc import Mapping, Sequence
+    from collections.abc import Sequence
     from pathlib import Path
 
     from numpy.typing import NDArray
@@ -43,7 +41,6 @@ if TYPE_CHECKING:
     from kinetruss.model import Model
     from kinetruss.results import Forces
     from kinetruss.runs import RunResult
-    from kinetruss.strength.curves import Curve
     from kinetruss.studio.drawing import Drawing, State
     from kinetruss.studio.files import Drafts
     from kinetruss.studio.judging import Judged
@@ -67,6 +64,7 @@ class Shown(Protocol):
     unkept: str
     offered: tuple[str, float] | None
     results: Results
+    played: tuple[int, Forces] | None
 
     @property
     def model(self) -> Model: ...  # noqa: D102
@@ -210,7 +208,7 @@ def drawing_of(session: Shown, light: bool = False) -> Record:
     """Everything that a drawing page shows. light : without text and records, and without the whole text of the mobility."""
     drawing = session.drawing
     data, found = drawing.state.data, drawing.found
-    places = _places(drawing)
+    places = places_of(drawing)
     members = {name: ends_of(entry) for table in MEMBERS for name, entry in (data.get(table) or {}).items()}
     known = {name: ends for name, ends in members.items() if all(map(places.__contains__, ends))}
     record = {
@@ -264,80 +262,6 @@ def drawing_of(session: Shown, light: bool = False) -> Record:
     }
 
 
-def film_of(session: Shown, drives: Sequence[str], rate: float | str | None, at_speed: bool, strength: bool) -> bytes:
-    """A motion of drives through their range: names and words in the header, float32 arrays over time after it."""
-    model, position = session.closed()
-    wanted = None if rate is None or not drives else _rate(rate, turns(model.all_drives.get(drives[0])))
-    forces = session.drawing.found.forces
-    if bent := forces is not None and not np.array_equal(forces.motion.whole["position"].values[0], position):
-        if at_speed:
-            raise InputError("Parts that bend or stretch are shown in equilibrium, at rest. Their inertia needs a run.")
-        found = sweeps.settled(sweeps.swept(model, position, drives, rate=wanted, samples=sweeps.FEWEST), model)
-    else:
-        found = sweeps.swept(model, position, drives, rate=wanted)
-    return _film(session, {"bent": bent}, *sweeps.film(found, model, at_speed, strength))
-
-
-def fall_of(session: Shown, held: bool, strength: bool) -> bytes:
-    """The motion of a drawing that is let go, like that of its drives."""
-    return _film(session, {"bent": False}, *let_go(*session.closed(), held, strength))
-
-
-def _film(session: Shown, told: Record, header: Record, arrays: Mapping[str, NDArray[np.float64]]) -> bytes:
-    blocks = {name: np.ascontiguousarray(values, "<f4") for name, values in arrays.items()}
-    table = {name: list(values.shape) for name, values in blocks.items()}
-    header = {"kind": "sweep", "revision": session.drawing.revision, **told, **header, "arrays": table}
-    return framed(header, *(values.tobytes() for values in blocks.values()))
-
-
-def _rate(given: float | str, turning: bool) -> float:
-    """A rate of a drive, rad/s or m/s."""
-    kind, example = ("an angular rate", "60 deg/s or 10 rpm") if turning else ("a speed", "50 mm/s or 0.1 m/s")
-    try:
-        return float(parse(given, kind.split(" ", 1)[1]))
-    except UnitError:
-        raise InputError(f"{given!r} is not {kind}. Write for example {example}.") from None
-
-
-EACH = 4
-"""Of so many places of a curve a page gets one, besides its extremes."""
-
-
-def over_of(session: Shown, show: str) -> Record:
-    """Section forces or the deflection of all loads over the drawing: curves in m, with the factor by which values are drawn;
-    or why there are none.
-    """
-    found = session.drawing.found
-    record: Record = {"kind": "over", "show": show, "curves": [], "why": found.why or "There are no forces."}
-    if found.model is None or found.forces is None:
-        return record
-    try:
-        every = curves(found.model, found.forces, show, from_model=True)
-    except InputError as error:
-        return record | {"why": str(error)}
-    extent = float(np.linalg.norm(np.ptp(list(_places(session.drawing).values()), axis=0)))
-    return record | {
-        "why": "" if every.largest else f"{sentence(every)}; zero everywhere.",
-        "unit": every.quantity.unit,
-        "sentence": sentence(every),
-        "factor": factor_of([every], extent),
-        "curves": [_points(one) for one in every.curves if one.values.any()],
-    }
-
-
-def _points(one: Curve) -> Record:
-    """Some of the places of a curve, and all that are written."""
-    kept = sorted({*range(0, len(one.x), EACH), len(one.x) - 1, *one.extremes})
-    space = [np.pad(values[kept], ((0, 0), (0, 3 - values.shape[1]))).tolist() for values in (one.base, one.shift)]
-    return {
-        "part": one.part,
-        "base": space[0],
-        "shift": space[1],
-        "values": one.values[kept].tolist(),
-        "extremes": [kept.index(k) for k in one.extremes],
-    }
-
-
 def _slides(found: Judged) -> set[str]:
     """Nodes that a coupling keeps on a line: on a bar they are where they belong."""
     couplings = () if found.model is None else found.model.couplings.values()
@@ -377,7 +301,7 @@ def _warnings(found: Judged, floats: bool) -> list[tuple[str, str]]:
     return [one for one in found.warnings if one[0] != "mechanism" or (found.forces is None and not floats)]
 
 
-def _places(drawing: Drawing) -> dict[str, list[float]]:
+def places_of(drawing: Drawing) -> dict[str, list[float]]:
     """Node -> place, m: the closed pose, or what is drawn if there is none."""
     found = drawing.found
     if found.model is not None and found.position is not None:

@@ -238,21 +238,27 @@ def settled(swept: Swept, model: Model) -> Swept:
 # What a page gets.
 
 
-def film(
-    swept: Swept, model: Model, at_speed: bool = False, strength: bool = False
-) -> tuple[dict[str, Any], dict[str, Floats]]:
-    """What a page plays: names and words, and arrays over time: positions, forces, reactions.
+class Film(NamedTuple):
+    """A motion to be played: names and words, arrays over time (positions, forces, reactions), and all forces."""
+
+    header: dict[str, Any]
+    arrays: dict[str, Floats]
+    forces: Forces
+
+
+def film(swept: Swept, model: Model, at_speed: bool = False, strength: bool = False) -> Film:
+    """What a page plays.
 
     at_speed : with the inertia of the motion at its rates; else every pose at rest. strength : also the utilisation of members.
     """
     still = np.zeros_like(swept.position)
     v, a = (swept.velocity, swept.acceleration) if at_speed else (still, still)
     motion = kinematics.from_arrays(model, swept.time, swept.position, v, a)
-    header, arrays = packed(swept, model, dynamics.inverse(model, motion, static=False), strength)
-    return header | {"at_speed": at_speed}, arrays
+    header, *more = packed(swept, model, dynamics.inverse(model, motion, static=False), strength)
+    return Film(header | {"at_speed": at_speed}, *more)
 
 
-def packed(swept: Swept, model: Model, forces: Forces, strength: bool) -> tuple[dict[str, Any], dict[str, Floats]]:
+def packed(swept: Swept, model: Model, forces: Forces, strength: bool) -> Film:
     """A motion and its forces, as a page plays them; `strength` as of `film`."""
     arrays = forces.arrays
     names = [str(name) for name in arrays["drive"].values]
@@ -283,7 +289,7 @@ def packed(swept: Swept, model: Model, forces: Forces, strength: bool) -> tuple[
         },
         **({"used": np.stack(list(used.values()), axis=1)} if used else {}),
     }
-    return header, kept
+    return Film(header, kept, forces)
 
 
 def _driven(model: Model, swept: Swept, names: Sequence[str]) -> Floats:
@@ -318,7 +324,7 @@ def curve(
     ends = (own[0] if low is None else low, own[1] if high is None else high)
     try:
         found = swept(model, position, [drive], {drive: ends})
-        header, arrays = film(found, model)
+        header, arrays, _ = film(found, model)
     except KinetrussError as error:
         raise InputError(f"No curve: {error}") from None
     held = arrays["drive_force"][:, [one["name"] for one in header["drives"]].index(drive)]

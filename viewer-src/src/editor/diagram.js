@@ -35,9 +35,16 @@ export class Diagram {
     this.tell();
   }
 
+  /** Another pose of the motion is shown, or the drawn one again. */
+  follow() {
+    this.spoil();
+    this.draw.pump();
+  }
+
   command() {
+    const { play } = this.draw;
     this.stale = false;
-    return { do: "over", show: this.on };
+    return { do: "over", show: this.on, ...(play.away ? { sample: play.index } : {}) };
   }
 
   take(found) {
@@ -49,13 +56,13 @@ export class Diagram {
 
   tell() {
     const { found } = this, large = found?.show === "deflection" && found.curves.length ? `, drawn ${number(found.factor)} times as large` : "";
-    this.told.textContent = found ? found.why || `${found.sentence}${large}.` : "";
+    this.told.textContent = this.on && this.draw.play.playing ? "The diagram is shown where the motion stops." : found ? found.why || `${found.sentence}${large}.` : "";
   }
 
   /** taken : boxes that names cover, to which those of the values are added. */
   place(layer, taken) {
     const { found, draw } = this, { camera } = draw;
-    if (!found || draw.stale || draw.play.away) return layer.replaceChildren();
+    if (!found || draw.stale || draw.play.playing) return layer.replaceChildren();
     const on = (points) => points.map((point) => camera.project(point));
     const values = [], shown = found.curves.flatMap((curve) => {
       const foot = on(curve.base), tips = on(curve.base.map((point, k) => point.map((x, i) => x + found.factor * curve.shift[k][i])));

@@ -136,7 +136,7 @@ export class Draw extends Talk {
   }
 
   leisurely() {
-    if (this.diagram.stale) return { command: this.diagram.command() };
+    if (this.diagram.stale && !this.play.playing) return { command: this.diagram.command() };
     if (!this.curves.stale) return null;
     this.moves = 0;
     return { command: this.curves.command() };

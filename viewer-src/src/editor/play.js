@@ -162,7 +162,8 @@ export class Play extends Player {
 
   togglePlay() {
     super.togglePlay();
-    if (!this.playing) this.tell();
+    if (this.playing) this.draw.diagram.spoil();
+    else this.tell();
   }
 
   goTo(index) {
@@ -186,6 +187,7 @@ export class Play extends Player {
     this.told = performance.now();
     draw.status.numbers(draw.state);
     draw.properties.follow();
+    if (!this.playing) draw.diagram.follow();
     this.say();
   }
 
@@ -283,7 +285,7 @@ export class Play extends Player {
     if (key === this.saidOf) return; // a button that is pressed stays
     this.saidOf = key;
     if (film) return refill(this.words, ...this.found());
-    const words = this.failed || (state.drives.length || !state.members.length ? "" : "Nothing is driven yet.");
+    const words = this.failed || (state.drives.length || !state.members.length ? "" : this.movable ? "Nothing is driven yet: Play lets it go." : "Nothing is driven yet.");
     refill(this.words, words ? el("span", {}, `${words} `) : null, nextSteps(draw, this));
   }
 

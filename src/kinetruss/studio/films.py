@@ -1,0 +1,101 @@
+"""What a drawing shows beside itself: motions to be played, and diagrams over it or over a pose of the motion."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from kinetruss.errors import InputError, UnitError
+from kinetruss.model import turns
+from kinetruss.strength.curves import curves, factor_of, only, sentence
+from kinetruss.studio import sweeps
+from kinetruss.studio.let_go import let_go
+from kinetruss.studio.shown import framed, places_of
+from kinetruss.units import parse
+
+if TYPE_CHECKING:
+    from collections.abc import Sequence
+
+    from kinetruss.strength.curves import Curve
+    from kinetruss.studio.shown import Record, Shown
+
+
+def film_of(session: Shown, drives: Sequence[str], rate: float | str | None, at_speed: bool, strength: bool) -> bytes:
+    """A motion of drives through their range: names and words in the header, float32 arrays over time after it."""
+    model, position = session.closed()
+    wanted = None if rate is None or not drives else _rate(rate, turns(model.all_drives.get(drives[0])))
+    forces = session.drawing.found.forces
+    if bent := forces is not None and not np.array_equal(forces.motion.whole["position"].values[0], position):
+        if at_speed:
+            raise InputError("Parts that bend or stretch are shown in equilibrium, at rest. Their inertia needs a run.")
+        found = sweeps.settled(sweeps.swept(model, position, drives, rate=wanted, samples=sweeps.FEWEST), model)
+    else:
+        found = sweeps.swept(model, position, drives, rate=wanted)
+    return _film(session, sweeps.film(found, model, at_speed, strength), bent=bent)
+
+
+def fall_of(session: Shown, held: bool, strength: bool) -> bytes:
+    """The motion of a drawing that is let go, like that of its drives."""
+    return _film(session, let_go(*session.closed(), held, strength), bent=False)
+
+
+def _film(session: Shown, film: sweeps.Film, *, bent: bool) -> bytes:
+    session.played = (session.drawing.revision, film.forces)
+    blocks = {name: np.ascontiguousarray(values, "<f4") for name, values in film.arrays.items()}
+    table = {name: list(values.shape) for name, values in blocks.items()}
+    header = {"kind": "sweep", "revision": session.drawing.revision, "bent": bent, **film.header, "arrays": table}
+    return framed(header, *(values.tobytes() for values in blocks.values()))
+
+
+def _rate(given: float | str, turning: bool) -> float:
+    """A rate of a drive, rad/s or m/s."""
+    kind, example = ("an angular rate", "60 deg/s or 10 rpm") if turning else ("a speed", "50 mm/s or 0.1 m/s")
+    try:
+        return float(parse(given, kind.split(" ", 1)[1]))
+    except UnitError:
+        raise InputError(f"{given!r} is not {kind}. Write for example {example}.") from None
+
+
+EACH = 4
+"""Of so many places of a curve a page gets one, besides its extremes."""
+
+
+def over_of(session: Shown, show: str, sample: int | None) -> Record:
+    """Section forces or the deflection of all loads over the drawing: curves in m, with the factor by which values are drawn;
+    or why there are none. sample : of the motion that was played last; None for the pose that is drawn.
+    """
+    found, forces = session.drawing.found, session.drawing.found.forces
+    record: Record = {"kind": "over", "show": show, "curves": [], "why": found.why or "There are no forces."}
+    if sample is not None:
+        revision, played = session.played or (-1, None)
+        known = played is not None and revision == session.drawing.revision and sample < len(played.motion.whole["time"])
+        forces = only(played, sample) if played is not None and known else None
+        record["why"] = "The motion is not known any more. Play it again."
+    if found.model is None or forces is None:
+        return record
+    try:
+        every = curves(found.model, forces, show, from_model=sample is None)
+    except InputError as error:
+        return record | {"why": str(error)}
+    extent = float(np.linalg.norm(np.ptp(list(places_of(session.drawing).values()), axis=0)))
+    return record | {
+        "why": "" if every.largest else f"{sentence(every)}; zero everywhere.",
+        "unit": every.quantity.unit,
+        "sentence": sentence(every),
+        "factor": factor_of([every], extent),
+        "curves": [_points(one) for one in every.curves if one.values.any()],
+    }
+
+
+def _points(one: Curve) -> Record:
+    """Some of the places of a curve, and all that are written."""
+    kept = sorted({*range(0, len(one.x), EACH), len(one.x) - 1, *one.extremes})
+    space = [np.pad(values[kept], ((0, 0), (0, 3 - values.shape[1]))).tolist() for values in (one.base, one.shift)]
+    return {
+        "part": one.part,
+        "base": space[0],
+        "shift": space[1],
+        "values": one.values[kept].tolist(),
+        "extremes": [kept.index(k) for k in one.extremes],
+    }
