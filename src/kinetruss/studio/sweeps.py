@@ -254,8 +254,8 @@ def film(swept: Swept, model: Model, at_speed: bool = False, strength: bool = Fa
     still = np.zeros_like(swept.position)
     v, a = (swept.velocity, swept.acceleration) if at_speed else (still, still)
     motion = kinematics.from_arrays(model, swept.time, swept.position, v, a)
-    header, *more = packed(swept, model, dynamics.inverse(model, motion, static=False), strength)
-    return Film(header | {"at_speed": at_speed}, *more)
+    found = packed(swept, model, dynamics.inverse(model, motion, static=False), strength)
+    return found._replace(header=found.header | {"at_speed": at_speed})
 
 
 def packed(swept: Swept, model: Model, forces: Forces, strength: bool) -> Film:
