@@ -11,6 +11,7 @@ setup: .venv/.ready
 .venv/.ready: requirements.lock .venv/.demo
 	@echo "Setting up .venv: the other packages (1.5 GB) ..."
 	@$(BIN)/python .ci/packages.py requirements.lock
+	@$(BIN)/kinetruss compile
 	@touch $@
 	@echo "Ready. To use kinetruss in a shell: . .venv/bin/activate   (or: make shell)"
 
@@ -28,7 +29,7 @@ setup: .venv/.ready
 	@$(BIN)/python -m pip install --quiet --disable-pip-version-check --no-deps --no-build-isolation -e .
 	@$(BIN)/python -m compileall -q src
 	@echo "Compiling the kernels, once: about a minute ..."
-	@$(BIN)/kinetruss compile
+	@$(BIN)/kinetruss compile --runs
 	@touch $@
 	@echo "Ready. To use kinetruss in a shell: . .venv/bin/activate   (or: make shell)"
 

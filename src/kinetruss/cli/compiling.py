@@ -34,8 +34,9 @@ STEP = 20
 @click.command("compile", cls=Verb, context_settings=HELP, epilog=EPILOG)
 @json_option
 @click.option("--all", "rare", is_flag=True, help="Also what only some models need: hinges, membranes, large structures.")
+@click.option("--runs", "only_runs", is_flag=True, help="Only what runs need; drawings compile theirs when they need them.")
 @click.option("-q", "--quiet", is_flag=True, help="Print nothing but errors.")
-def compile_kernels(as_json: bool, rare: bool, quiet: bool) -> None:
+def compile_kernels(as_json: bool, rare: bool, only_runs: bool, quiet: bool) -> None:
     """Compile the kernels of most runs and drawings, and keep them.
 
     They are kept on disk. It takes some minutes, once; otherwise the first runs do it.
@@ -54,7 +55,7 @@ def compile_kernels(as_json: bool, rare: bool, quiet: bool) -> None:
         try:
             with _counted(shown) as (compiled, look), warnings.catch_warnings():
                 warnings.simplefilter("error", KernelCacheWarning)
-                _run_all(look)
+                _run_all(look, drawn=not only_runs)
                 if rare:
                     _compile_rare()
         except KernelCacheWarning as error:
@@ -71,9 +72,9 @@ def compile_kernels(as_json: bool, rare: bool, quiet: bool) -> None:
             click.echo(f"They are kept in {' and '.join(folders)}")
 
 
-def _run_all(look: Callable[[], None]) -> None:
+def _run_all(look: Callable[[], None], *, drawn: bool) -> None:
     """Do all runs, the groups in parallel if there are enough processors. look : called regularly while other processes
-    work.
+    work. drawn : then draw, too.
     """
     from kinetruss.runs.processes import processors
 
@@ -81,12 +82,14 @@ def _run_all(look: Callable[[], None]) -> None:
     if processors() < len(RUNS):
         for group in RUNS:
             _run_group(group)
-        _draw()
+        if drawn:
+            _draw()
         return
     with ProcessPoolExecutor(len(others), get_context("spawn"), _silenced) as pool:
         running = [pool.submit(_run_group, group) for group in others]
         _run_group(first)
-        _draw()  # shares kernels with the runs before, and few with those beside
+        if drawn:
+            _draw()  # shares kernels with the runs before, and few with those beside
         while wait(running, POLL).not_done:
             look()
         for one in running:

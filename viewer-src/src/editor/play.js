@@ -285,7 +285,7 @@ export class Play extends Player {
     if (key === this.saidOf) return; // a button that is pressed stays
     this.saidOf = key;
     if (film) return refill(this.words, ...this.found());
-    const words = this.failed || (state.drives.length || !state.members.length ? "" : this.movable ? "Nothing is driven yet: Play lets it go." : "Nothing is driven yet.");
+    const words = this.failed || (state.drives.length || !state.members.length ? "" : this.movable && state.weights?.all > 0 ? "Nothing is driven yet: Play lets it go." : "Nothing is driven yet.");
     refill(this.words, words ? el("span", {}, `${words} `) : null, nextSteps(draw, this));
   }
 
