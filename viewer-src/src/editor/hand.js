@@ -275,7 +275,7 @@ export class Hand {
     const [start, end] = given.map((one) => this.now(one).point), ends = using.chain && end.every((value, k) => value === start[k]);
     this.given = using.chain && !pulled && !before && !ends ? given.slice(-1) : [];
     draw.rubber = null;
-    draw.tell(ends && pulled ? `${using.words}: two different places are wanted.` : "", ends && pulled);
+    draw.tell(ends ? `${using.words}: ended. Another one needs two different places.` : "");
     if (!ends) this.doing = this.doing.catch(() => {}).then(() => this.do(using, given));
     if (before) draw.setTool(before);
   }

@@ -14,7 +14,7 @@ export const measuring = [
     takes: ([first, second]) => (!first ? "thing" : second ? null : first.node ? "node" : "member"), more: ({ member }) => Boolean(member),
     shows: (draw, [from], to) => line(draw, from?.point, to?.point),
     async act(draw, [one, two]) {
-      if (one.node && !two) return draw.tell("Pull from one node to another.", true);
+      if (one.node && (!two || two.node === one.node)) return draw.tell("Pull from one node to another.", true);
       const bar = one.member, other = two?.member !== bar && two?.member, before = draw.state.dimensions.length;
       if (other && !sharedOf(draw, [bar, other])) return draw.tell(`${bar} and ${other} do not meet at a node: there is no angle between them to measure. A click on one of them measures its length.`, true);
       const answer = await draw.ask({ do: "dimension", ...(bar ? { members: other ? [bar, other] : [bar] } : { nodes: [one.node, two.node] }) });
