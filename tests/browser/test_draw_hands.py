@@ -151,7 +151,10 @@ def test_every_tool_that_holds_joins_drives_and_measures(hand):
     assert nodes[6:] == ["G", "H", "I", "J", "K"]
     hand.tool("Slider")
     hand.give("I")
-    assert data(hand)["couplings"]["block"] == {"terms": [[{"kind": "offset", "line": ["G", "H"], "point": "I"}, 1]]}
+    assert data(hand)["couplings"]["block"] == {
+        "terms": [[{"kind": "offset", "line": ["G", "H"], "point": "I"}, 1]],
+        "value": 0,
+    }
     hand.tool("Gear")
     hand.give("b2", "b3")
     hand.value("-20/40")
@@ -180,7 +183,7 @@ def test_every_tool_that_holds_joins_drives_and_measures(hand):
     assert hand.page.locator(".drawing .values .measure").count() == 3
     hand.tool("Pick")
     hand.give("K")
-    hand.button("Delete")
+    hand.button("Delete what is picked")
     assert "K" not in hand.state()["nodes"]
     hand.button("Undo")
     sound(hand)

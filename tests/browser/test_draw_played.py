@@ -183,7 +183,7 @@ def test_dimensions_are_measured_where_the_motion_stops_and_outlive_the_page(ope
     hand.page.locator("svg.drawing").focus()
     for name, key in (("crank", "Shift+Enter"), ("rod", "Enter")):  # by keys
         ends = f"state.members.find((one) => one.name === '{name}').ends.map((end) => draw.at(end))"
-        hand.js(f"draw.tools.setCursor({ends}.reduce((p, q) => p.map((one, k) => (one + q[k]) / 2)))")
+        hand.js(f"draw.keyboard.setCursor({ends}.reduce((p, q) => p.map((one, k) => (one + q[k]) / 2)))")
         hand.press(key)
     assert hand.state()["dimensions"] == [{"nodes": ["B", "D"]}, {"members": ["crank", "rod"]}]
     assert shown(hand) == measured(hand)

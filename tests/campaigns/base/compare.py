@@ -43,7 +43,7 @@ from revision import NoHistoryError, checkout, hash_of
 
 HERE = Path(__file__).resolve().parent
 TREE = HERE.parents[2]
-BASE = "9c76f79d29b30fe42df9b79bfc38e5d69ed17a94"
+BASE = "c364cf02c253d974e82c7d09d8cb90c9156677a1"
 """Commit that the tree must agree with."""
 NOT_CHECKED = 3
 MOST = 60
