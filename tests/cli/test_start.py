@@ -64,7 +64,7 @@ def test_ctrl_c_during_imports_ends_in_one_line(tmp_path, module, words):
 
 
 def test_ctrl_c_with_json_is_one_object(monkeypatch):
-    def stop(_look):
+    def stop(_look, drawn):
         raise KeyboardInterrupt
 
     monkeypatch.setattr(_compile, "_run_all", stop)
@@ -73,7 +73,7 @@ def test_ctrl_c_with_json_is_one_object(monkeypatch):
 
 
 def compiling(count: int, error: Warning | None = None):
-    def work(_look: object) -> None:
+    def work(_look: object, *, drawn: bool) -> None:
         for k in range(count):
             logging.getLogger("kinetruss.kernels").info("compiled %s", f"_new.f{k}-1")
         if error is not None:
@@ -152,7 +152,7 @@ def test_kernels_that_cannot_be_kept_end_with_1(monkeypatch):
 
 @pytest.mark.filterwarnings("default")
 def test_a_warning_is_one_line(monkeypatch):
-    def work(_look: object) -> None:
+    def work(_look: object, *, drawn: bool) -> None:
         warnings.warn("It is so.", UserWarning, stacklevel=2)
 
     monkeypatch.setattr(_compile, "_run_all", work)
