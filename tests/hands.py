@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from abc import ABC, abstractmethod
 from itertools import pairwise
 from typing import Any
 
@@ -11,7 +12,7 @@ ARROWS = (("ArrowLeft", "ArrowRight"), ("ArrowDown", "ArrowUp"))
 Where = str | tuple[float, float]  # a node, a member (its middle), or a point of the drawing
 
 
-class OneHand(Hand):
+class OneHand(Hand, ABC):
     """What all hands do; how, is their own.
 
     ``touch(locator)`` presses a button or gives a field the focus, ``give`` points at places for the tool in use, ``draw`` goes
@@ -30,8 +31,9 @@ class OneHand(Hand):
         x, y = (sum(axis) / len(ends) for axis in list(zip(*(self.js("draw.at(given)", end) for end in ends), strict=True))[:2])
         return x, y
 
+    @abstractmethod
     def touch(self, locator: Any) -> None:
-        raise NotImplementedError
+        """Press a button, or give a field the focus."""
 
     def tool(self, name: str) -> None:
         self.touch(self.page.locator(".palette").get_by_label(name, exact=True))

@@ -2,14 +2,10 @@
 
 from __future__ import annotations
 
-import inspect
-import json
-from collections.abc import Callable
 from contextlib import nullcontext
-from functools import partial
 from typing import Annotated, Any, Literal
 
-from pydantic import BaseModel, ConfigDict, Field, ValidationError, create_model
+from pydantic import Field
 
 from kinetruss.errors import InputError, KinetrussError, ModelError
 from kinetruss.model import nearest
@@ -18,6 +14,7 @@ from kinetruss.studio.dimensions import renamed, toggled
 from kinetruss.studio.films import fall_of, film_of, over_of
 from kinetruss.studio.member_kinds import switched
 from kinetruss.studio.new_parts import made, with_analysis
+from kinetruss.studio.protocol import message, message_of
 from kinetruss.studio.requested_runs import Finite, FrameList, Name, Values
 from kinetruss.studio.session import LARGE, Answer, Desk
 from kinetruss.studio.shown import numbers
@@ -46,55 +43,11 @@ Changes = Annotated[tuple[tuple[Path, Any], ...], Field(min_length=1, max_length
 Long = Annotated[str, Field(max_length=LARGE)]
 
 
-Act = Callable[..., "Answer"]
-MESSAGES: dict[str, tuple[type[BaseModel], Act]] = {}
-"""Name -> the record of its arguments, and what does it."""
-
 BESIDE = ("run", "running", "stop", "ask", "take")
 """Messages that do not wait for those before them: what takes long is computed beside what else is done."""
 
-DRAWN = ("dimension", "sweep", "let_go", "over", "sections")
+DRAWN = ("dimension", "sweep", "let_go", "put", "over", "sections")
 """Messages that a drawing alone has."""
-
-
-def message(act: Act) -> Act:
-    """A function of a session as a message of its name; its other arguments are checked as they are annotated."""
-    _, *given = inspect.signature(act).parameters.values()
-    fields: dict[str, Any] = {one.name: (one.annotation, ... if one.default is one.empty else one.default) for one in given}
-    name = act.__name__.rstrip("_")
-    record = create_model(name, __config__=ConfigDict(extra="forbid"), __module__=__name__, **fields)
-    MESSAGES[name] = record, act
-    return act
-
-
-def message_of(text: str | bytes, most: int) -> tuple[str, Callable[[Session], Answer]]:
-    """The message in a text of at most `most` bytes: its name, and what it does with a session.
-
-    Raises
-    ------
-    InputError : too long, not JSON, or not a known message.
-    """
-    if len(text) > most:
-        raise InputError(f"A message of {len(text)} bytes is refused. Send at most {most}.")
-    try:
-        given = json.loads(text)
-    except (ValueError, RecursionError):
-        raise InputError("This message is not JSON.") from None
-    name = given.pop("do", None) if isinstance(given, dict) else None
-    if not isinstance(name, str) or name not in MESSAGES:
-        raise InputError(f"This message is not understood. do: {nearest(str(name)[:100], MESSAGES)}")
-    record, act = MESSAGES[name]
-    try:
-        found = record.model_validate(given)
-    except ValidationError as error:
-        first = error.errors(include_url=False, include_input=False)[0]
-        where = ".".join([name, *(str(part) for part in first["loc"])])
-        raise InputError(f"This message is not understood. {where}: {first['msg']}.") from None
-    return name, partial(_called, act, {one: getattr(found, one) for one in record.model_fields})
-
-
-def _called(act: Act, given: dict[str, Any], session: Session) -> Answer:
-    return act(session, **given)
 
 
 class Session(Desk):

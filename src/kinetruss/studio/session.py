@@ -293,7 +293,8 @@ class Desk:
         ------
         InputError : unknown nodes, or this is no closed drawing.
         """
-        self._refuse_live()
+        if not self.draw:
+            raise InputError("This message is for a drawing.")
         if self.grip is None or drag is None or self.grip.number != drag or self.drawing.state.drag not in (None, drag):
             self.grip = Grip(self.data, *self.closed(), drag)
         wanted = {name: [float(parse(value, "length")) for value in place] for name, place in places.items()}
@@ -302,10 +303,6 @@ class Desk:
             return shown.drawing_of(self, light=drag is not None)
         return self.take(data, f"moving {', '.join(list(places)[:3])}", drag=drag)
 
-    def _refuse_live(self) -> None:
-        if not self.draw:
-            raise InputError("This message is for a drawing.")
-
     def put(self, values: Mapping[str, float]) -> Answer:
         """The drawing in the pose of these drive values, m or rad.
 
@@ -313,7 +310,6 @@ class Desk:
         ------
         InputError : it cannot be reached, or this is no closed drawing.
         """
-        self._refuse_live()
         model, position = self.closed()
         now = {name: value for name, (value, _) in self.drives().items()}
         if unknown := [name for name in values if name not in now]:
