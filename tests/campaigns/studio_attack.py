@@ -22,7 +22,8 @@ from websockets.exceptions import WebSocketException
 from websockets.sync.client import ClientConnection, connect
 
 import kinetruss as kt
-from kinetruss.studio.messages import MESSAGES
+import kinetruss.studio.messages  # each message enters MESSAGES
+from kinetruss.studio.protocol import MESSAGES
 from kinetruss.studio.session import LARGE, SMALL
 
 sys.path.insert(0, str(Path(__file__).parents[1]))

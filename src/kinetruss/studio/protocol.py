@@ -14,7 +14,6 @@ from kinetruss.errors import InputError
 from kinetruss.model import nearest
 
 if TYPE_CHECKING:
-    from kinetruss.studio.messages import Session
     from kinetruss.studio.session import Answer
 
 Act = Callable[..., "Answer"]
@@ -32,7 +31,7 @@ def message(act: Act) -> Act:
     return act
 
 
-def message_of(text: str | bytes, most: int) -> tuple[str, Callable[[Session], Answer]]:
+def message_of(text: str | bytes, most: int) -> tuple[str, Act]:
     """The message in a text of at most `most` bytes: its name, and what it does with a session.
 
     Raises
@@ -55,8 +54,4 @@ def message_of(text: str | bytes, most: int) -> tuple[str, Callable[[Session], A
         first = error.errors(include_url=False, include_input=False)[0]
         where = ".".join([name, *(str(part) for part in first["loc"])])
         raise InputError(f"This message is not understood. {where}: {first['msg']}.") from None
-    return name, partial(_called, act, {one: getattr(found, one) for one in record.model_fields})
-
-
-def _called(act: Act, given: dict[str, Any], session: Session) -> Answer:
-    return act(session, **given)
+    return name, partial(act, **{one: getattr(found, one) for one in record.model_fields})
