@@ -81,35 +81,64 @@ class Attack:
         options = {"origin": self.served.origin, "max_size": None, "open_timeout": WAIT, "compression": None, "proxy": None}
         return connect(changes.pop("uri", self.served.live.removesuffix("live") + page), **options | changes)
 
-    def value(self, name: str) -> Any:
-        """An argument of this name: often one that fits."""
+    def value(self, message: str, name: str, schema: dict[str, Any]) -> Any:
+        """An argument of this name: often one that fits, also one of a message that nobody thought of here."""
         one, nodes, members = self.dice.choice, list(self.model.nodes), list(self.model.members)
-        number = one(NUMBERS)
-        if self.dice.random() < 0.12:
+        number, drives = one(NUMBERS), list(self.model.all_drives)
+        if self.dice.random() < 0.05:
             return one(ABSURD)
-        frame = {"time": one((0, 1, 2.5, -1)), "values": {one(list(self.model.all_drives)): self.dice.uniform(0.8, 1.3)}}
+        frame = {"time": one((0, 1, 2.5, -1)), "values": {one(drives): self.dice.uniform(0.8, 1.3)}}
         path = [one(("bars", "nodes", "fixed", "loads", "runs", "zz")), one([*members, *nodes]), one(("mass", "kind", "at"))]
-        drive = one(list(self.model.all_drives))
+        drive = one(drives)
         fitting = {
-            "values": {one([drive, "zz"]): number}, "places": {one(nodes): [number] * 3}, "path": path, "mass": number,
-            "node": one(nodes), "nodes": self.dice.sample(nodes, 2), "members": [one(members)], "member": one(members),
-            "ends": self.dice.sample(nodes, 2), "at": one(([number, 0.1, 0.2], number)), "by": [number, 0, 0.5],
-            "force": [number, 0, -5.0], "value": one(([0, 0, number], number, one(members), None, {"node": one(nodes)})),
+            "values": {one([*drives, drives[0], "zz"]): one((number, 1.1, "1.05 m"))}, "places": {one(nodes): [number] * 3},
+            "path": path, "mass": number,
+            "node": one(nodes), "nodes": self.dice.sample(nodes, one((1, 2, 3))), "members": [one(members)],
+            "member": one(members), "ends": self.dice.sample(nodes, 2), "at": one(([number, 0.1, 0.2], number)),
+            "by": [number, 0, 0.5], "force": [number, 0, -5.0],
+            "value": one(([0, 0, number], number, one(members), None, {"node": one(nodes)})),
             "name": one([*FILES, *nodes, *members, "run1", None]), "drive": drive, "low": number, "high": number,
-            "to": one(("rigid", "driven", "elastic", "cut", "own")), "what": one(("active", "beam", "bar", "body", "run")),
-            "frames": [frame] * self.dice.randrange(3), "samples": one((2, 11, 1, 10**9)), "dim": one((2, 3)),
+            "frames": [frame] * self.dice.randrange(3), "samples": one((2, 11, 1, 10**9)),
             "cell": one(("octahedron", "prism", "zz")), "count": one((1, 2, 201)), "table": one(("bars", "nodes", "zz")),
-            "old": one([*members, *nodes]), "new": one(("q", "A", "a b")), "axis": one("xyz"), "drag": one((None, 1, 2)),
-            "text": one(("", "nodes: {A: [0, 0]}", "nodes: [", "- 1")), "number": one((1, 2, -1)),
-            "place": one((None, {"width": 1})),
+            "old": one([*members, *nodes]), "new": one(("q", "A", "a b")), "drag": one((None, 1, 2)),
+            "text": one(("", "nodes: {A: [0, 0]}", "nodes: [", "- 1")), "number": one((0, 1, 2, -1)),
+            "place": one((None, {"width": 1})), "changes": [[path, number]], "bar_from": one((None, *nodes)),
+            "drives": self.dice.sample(drives, 1), "rate": one((None, "10 mm/s", "1 rpm", number)),
+            "show": one(("N", "M", "deflection", "zz")), "sample": one((None, 0, 7, 10**6)),
+            "arguments": one((None, {"zz": 1})),
+            "begin.name": one(("Four-bar", "Stewart platform", "zz")), "case.name": one((None, *self.model.load_cases, "zz")),
+            "run.name": one((None, *self.model.runs)), "take.run": one(("", *self.model.runs)),
+            "ask.positions": one(((), [[0, 0, 0], [1, 0.2, 0.4], [2, 0.1, 0.9]])), "ask.path": (),
         }  # fmt: skip
-        return fitting.get(name, one((True, False, None, number)))
+        known = [given for key, given in fitting.items() if key in (f"{message}.{name}", name)]
+        return known[-1] if known else self.of(schema)
+
+    def of(self, schema: dict[str, Any]) -> Any:
+        """What a schema takes."""
+        if "anyOf" in schema:
+            return self.of(self.dice.choice(schema["anyOf"]))
+        if "enum" in schema:
+            return self.dice.choice(schema["enum"])
+        match schema.get("type"):
+            case "boolean":
+                return self.dice.random() < 0.5
+            case "integer" | "number":
+                return self.dice.choice((schema.get("minimum", 0), 1, 2))
+            case "array":
+                return [self.of(schema.get("items", {})) for _ in range(schema.get("minItems", 0) or self.dice.randrange(3))]
+            case "object":
+                return {}
+            case _:
+                return self.dice.choice((*self.model.nodes, "x"))
 
     def message(self) -> str | bytes:
         name = self.dice.choice([*MESSAGES, "what"])
-        record = MESSAGES[name][0] if name in MESSAGES else None
-        fields = {} if record is None else record.model_fields
-        given = {one: self.value(one) for one, field in fields.items() if field.is_required() or self.dice.random() < 0.5}
+        fields = MESSAGES[name][0].model_json_schema() if name in MESSAGES else {}
+        given = {
+            one: self.value(name, one, schema)
+            for one, schema in fields.get("properties", {}).items()
+            if one in fields.get("required", ()) or self.dice.random() < 0.5
+        }
         for pair in (("values", "places"), ("name", "frames")):  # one of them is meant
             if name in ("move", "run") and set(pair) <= set(fields) and self.dice.random() < 0.8:
                 one, other = self.dice.sample(pair, 2)
@@ -127,8 +156,8 @@ class Attack:
         """Messages of one page, each answered."""
         with self.line(page) as line:
             line.recv(WAIT)
-            for _ in range(count):
-                text = self.message()
+            for sent in range(count):
+                text = self.message() if sent % 10 else '{"do": "reset"}'  # names fit again
                 try:
                     line.send(text)
                     answer = line.recv(WAIT)

@@ -168,6 +168,13 @@ def test_words_of_other_programs_are_understood(record, given, meant):
         record(**{given: 3})
 
 
+@pytest.mark.parametrize("load", [{"node": "C", "force": (0, -5), "at": 3}, {"face": ("A", "B"), "pressure": 1, "at": 1}])
+def test_what_is_refused_is_not_offered(load):
+    """A field of another kind of load is none of this kind."""
+    with pytest.raises(kt.ModelError, match=r"'at' is not known here\. There are: (node|face), "):
+        _four_bar().with_(loads={"push": load})
+
+
 def test_a_structure_without_supports_is_told_so():
     model = kt.library.mechanisms.four_bar().with_(fixed={}, runs={"go": TURN["turn"]})
     (fault,) = kt.check(model)

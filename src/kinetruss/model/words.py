@@ -369,7 +369,7 @@ def _below(one: Any, part: str | int) -> Iterator[Any]:
     if fields := getattr(one, "model_fields", None):
         if part in fields:
             yield from _leaves(fields[part].annotation)
-        elif "kind" in fields and fields["kind"].default == part:
+        elif part == one.__name__ or ("kind" in fields and fields["kind"].default == part):
             yield one
     elif get_origin(one) is dict:
         yield from _leaves(get_args(one)[1])
