@@ -157,6 +157,7 @@ def test_a_page_gets_the_motion_or_why_there_is_none_and_takes_over_a_pose_of_it
     assert (header["kind"], header["whole"], header["revision"]) == ("sweep", True, desk.drawing.revision)
     assert arrays["time"][-1] == pytest.approx(0.5)
     assert "No drive called 'moter'" in ask(do="sweep", drives=["moter"])["message"]
+    assert "No drive called 'moter'" in ask(do="sweep", drives=["moter"], rate="1 rpm")["message"]
     assert "has no drive" in ask(do="sweep", drives=[])["message"]
     assert "not an angular rate" in ask(do="sweep", drives=["motor"], rate="10 mm/s")["message"]
     assert "above 0" in ask(do="sweep", drives=["motor"], rate=-1)["message"]

@@ -24,6 +24,8 @@ if TYPE_CHECKING:
 
 
 _NUMBERS = ("value", "limit", "utilisation", "margin", "time_of", "station", "position")
+_TEXTS = ("note", "load_case", "pose")
+"""Variables of the entries of a row, in its order."""
 COLUMNS = ("part", "rule", "value", "limit", "utilisation", "margin", "time", "station", "load_case", "note")
 _UNITS = {"value": "", "limit": "", "utilisation": "%", "position": "m"}
 
@@ -42,7 +44,7 @@ def exceeds(utilisation: float) -> bool:
     return utilisation > 1 + SLACK
 
 
-@dataclass(frozen=True, slots=True, kw_only=True)
+@dataclass(frozen=True, slots=True)
 class Row:
     """One entry of a utilisation table.
 
@@ -57,17 +59,17 @@ class Row:
     part: str
     member: str
     rule: str
+    unit: str
     value: float
     limit: float
-    unit: str
     utilisation: float
     margin: float
     time: float
     station: float = math.nan
     position: float = math.nan
+    note: str = ""
     load_case: str = ""
     pose: str = ""
-    note: str = ""
 
     @property
     def checked(self) -> bool:
@@ -123,33 +125,28 @@ def rows_of(data: xr.Dataset | Columns, subject: str, rule: str, *, timed: bool 
     members = data["member"].values.tolist() if "member" in data else parts
     units = data["unit"].values.tolist() if "unit" in data else [""] * len(rules)
     # read whole arrays: reading single values from a dataset takes a hundred times as long
-    numbers = [_column(data, key, count, len(rules), math.nan) for key in _NUMBERS]
-    texts = [_column(data, key, count, len(rules), "") for key in ("note", "load_case", "pose")]
+    numbers = {key: _column(data, key, count, len(rules), math.nan) for key in _NUMBERS}
+    texts = {key: _column(data, key, count, len(rules), "") for key in _TEXTS}
     if not timed:
-        numbers[_NUMBERS.index("time_of")] = [math.nan] * (count * len(rules))
-    names = [name.removesuffix("_of") for name in _NUMBERS]
-    share, rows = numbers[_NUMBERS.index("utilisation")], []
-    for k, (note, case, pose) in enumerate(zip(*texts, strict=True)):
-        if math.isnan(share[k]) and not note:
-            continue
-        i, j = divmod(k, len(rules))
-        found = {name: column[k] for name, column in zip(names, numbers, strict=True)}
-        rows.append(
-            Row(part=parts[i], member=members[i], rule=rules[j], unit=units[j], load_case=case, pose=pose, note=note, **found)
-        )
-    of: dict[str, list[float]] = {}
+        numbers["time_of"] = [math.nan] * (count * len(rules))
+    share, note = numbers["utilisation"], texts["note"]
+    rows = [
+        Row(parts[k // len(rules)], members[k // len(rules)], rules[k % len(rules)], units[k % len(rules)], *entry)
+        for k, entry in enumerate(zip(*numbers.values(), *texts.values(), strict=True))
+        if note[k] or not math.isnan(share[k])
+    ]
+    of: dict[str, list[float]] = {row.part: [] for row in rows if math.isinf(row.utilisation)}
     for row in rows:
-        of.setdefault(row.part, []).append(row.utilisation)
+        if row.part in of:
+            of[row.part].append(row.utilisation)
     most = {part: most_used(values) for part, values in of.items()}
-    infinite = {row.part for row in rows if math.isinf(row.utilisation)}
-
     used = [most[row.part] if math.isinf(row.utilisation) else row.utilisation if row.checked else 0.0 for row in rows]
     level = levels(used)
 
     def worst_first(k: int) -> tuple[bool, int, str, bool]:
         row = rows[k]
         # rows of one part stay together where one of them is infinite
-        together = row.part in infinite and used[k] == most[row.part]
+        together = used[k] == most.get(row.part)
         return not row.checked, level[k], row.part if together else "", math.isinf(row.utilisation)
 
     return [rows[k] for k in sorted(range(len(rows)), key=worst_first)]

@@ -151,14 +151,15 @@ def notes(
     rod, whole : part that yields and member that buckles, -1 for none. compression (subjects,) N: largest, as judged.
     """
     found = np.full((len(rod), 3), "", dtype=object)
-    for i, (r, k) in enumerate(zip(rod, whole, strict=True)):
-        if r >= 0 and (lacking := missing(parts, int(r))):
-            found[i, 0] = f"not checked: no {lacking}"
+    gaps = missing(parts)
+    for i, (r, k) in enumerate(zip(rod.tolist(), whole.tolist(), strict=True)):
+        if r >= 0 and gaps[r]:
+            found[i, 0] = f"not checked: no {gaps[r]}"
         elif r >= 0 and untold[r] and np.isnan(parts.twist[r]):
             found[i, 0] = "not checked: no shear stress of torsion of a general section"
         if k >= 0:
-            found[i, 1] = _buckling(parts, int(k), float(compression[i]), bool(johnson[i]), active_section)
-            if compression[i] > 0 and all(missing(parts, one) == "yield strength" for one in _rods(parts, int(k))):
+            found[i, 1] = _buckling(parts, gaps, k, float(compression[i]), bool(johnson[i]), active_section)
+            if compression[i] > 0 and all(gaps[one] == "yield strength" for one in _rods(parts, k)):
                 found[i, 2] = "not checked: no yield strength"
     return found
 
@@ -184,32 +185,33 @@ def _rods(parts: Parts, k: int) -> list[int]:
     return [first, first + 1] if parts.two[k] else [first]
 
 
-def missing(parts: Parts, r: int) -> str:
-    """The data that a part lacks for the yield check, or nothing."""
-    if parts.body[r]:
-        return "section forces of a planar body"
-    if parts.shape[r] < 0:
-        return "section"
-    if np.isnan(parts.E[r]):
-        return "material"
-    return "yield strength" if np.isnan(parts.yield_strength[r]) else ""
+def missing(parts: Parts) -> list[str]:
+    """The data that each part lacks for the yield check, or nothing."""
+    gaps = {
+        "section forces of a planar body": parts.body,
+        "section": parts.shape < 0,
+        "material": np.isnan(parts.E),
+        "yield strength": np.isnan(parts.yield_strength),
+    }
+    found: list[str] = np.select(list(gaps.values()), list(gaps), "").tolist()
+    return found
 
 
-def _buckling(parts: Parts, k: int, compression: float, johnson: bool, active_section: str) -> str:
+def _buckling(parts: Parts, gaps: list[str], k: int, compression: float, johnson: bool, active_section: str) -> str:
     first = int(parts.first[k])
     if parts.cable[k]:
         return CABLE
     used = _rods(parts, k)
     if parts.two[k] and active_section != "weaker":
         used = [first + (active_section == "tube")]
-    lacking = {r: gap for r in used if (gap := missing(parts, r)) not in ("", "yield strength")}
+    lacking = {r: gap for r in used if (gap := gaps[r]) not in ("", "yield strength")}
     if len(lacking) == len(used):
         # a bar has this note once, under yield
         return f"not checked: no {next(iter(lacking.values()))}" if parts.two[k] else ""
     if compression == 0:
         return "never in compression"
     text = "Johnson" if johnson else "Euler"
-    if all(np.isnan(parts.yield_strength[r]) for r in used if r not in lacking):
+    if all(gaps[r] == "yield strength" for r in used if r not in lacking):
         text = "Euler; no yield strength for Johnson"
     if parts.two[k] and lacking:
         r, gap = next(iter(lacking.items()))

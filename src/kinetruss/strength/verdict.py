@@ -55,8 +55,8 @@ def unchecked(model: Model) -> dict[str, str]:
     """
     parts = parts_of(model)
     found: dict[str, list[str]] = {}
-    for r, (part, member) in enumerate(zip(parts.names, parts.members, strict=True)):
-        if what := missing(parts, r):
+    for part, member, what in zip(parts.names, parts.members, missing(parts), strict=True):
+        if what:
             found.setdefault(member, []).append(f"yield{'' if part == member else ' of ' + part}: no {what}")
     for name in beam_parts(model):
         material = model.material_of(model.beams.get(name) or model.links[name])

@@ -24,7 +24,8 @@ if TYPE_CHECKING:
 def film_of(session: Shown, drives: Sequence[str], rate: float | str | None, at_speed: bool, strength: bool) -> bytes:
     """A motion of drives through their range: names and words in the header, float32 arrays over time after it."""
     model, position = session.closed()
-    wanted = None if rate is None or not drives else _rate(rate, turns(model.all_drives.get(drives[0])))
+    first = next((model.all_drives.get(name) for name in drives), None)  # `swept` refuses a drive that is not there
+    wanted = None if rate is None or first is None else _rate(rate, turns(first))
     forces = session.drawing.found.forces
     if bent := forces is not None and not np.array_equal(forces.motion.whole["position"].values[0], position):
         if at_speed:
