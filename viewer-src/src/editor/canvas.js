@@ -5,7 +5,7 @@ import { KINDS } from "../display.js";
 import { el, fill, svg } from "../dom.js";
 import { quantity } from "../format.js";
 import { symbolAt } from "../supports.js";
-import { Labels } from "./labels.js";
+import { Labels, wide } from "./labels.js";
 import { bodies, springs } from "./marks.js";
 import { HANDS, spanOf } from "./measures.js";
 import { arrow, ring } from "./tools/given.js";
@@ -20,6 +20,8 @@ const FEW = 24; // members up to which all have their names while it moves
 const SOME = 60; // members up to which those with room have their names at rest; else those that are picked or pointed at
 const CLOSE = 12, FINGER = 22; // pixels from a node within which it is meant, by a pointer and by a finger
 const SEVERAL = 7; // arrows of a load along a member
+const TURN = 15; // pixels, radius of the arc of a drive
+const STROKE = 5; // half of what a mark of a drive takes across its line
 
 const colour = (scale, value, limits) => `rgb(${colourOf(scale, value, limits).map(Math.round).join(" ")})`;
 const path = (points, close = false) => (points.length ? `M${points.map(([x, y]) => `${x.toFixed(2)} ${y.toFixed(2)}`).join("L")}${close ? "Z" : ""}` : "");
@@ -150,7 +152,7 @@ export class Canvas {
   /** Names of nodes, values of loads and dimensions, names of what is picked or pointed at, and of members where there is room. */
   place(state, picked, named) {
     const { gripped, play, diagram } = this.draw, members = state.members.map(({ ends }) => ends.map((end) => this.at(end)));
-    this.names.begin(this.seen, state.members.length <= SOME ? members : [], this.feet);
+    this.names.begin(this.seen, state.members.length <= SOME ? members : [], this.taken);
     if (named || gripped.size) this.labels.forEach((label, k) => (named ? this.names.node(label, this.seen[k], picked.nodes.has(state.nodes[k]) || this.isNear("node", state.nodes[k])) : label.setAttribute("display", "none")));
     diagram.place(this.layers.diagram, this.names.taken);
     this.values(named);
@@ -167,14 +169,17 @@ export class Canvas {
   /** The values of loads beside their arrows, and of dimensions. */
   values(named) {
     const shown = (words, kind) => svg("text", { class: kind }, words), texts = [];
-    const put = (text, places, must) => {
-      this.names.put(text, places.map(([x, y]) => [x, y]), 6.6 * text.textContent.length, must);
+    const put = (text, places, width, must) => {
+      this.names.put(text, [places], width, must);
       texts.push(text);
     };
-    for (const { words, at: [x, y], way: [u, v] } of this.measured) put(shown(words, "measure"), [0, 0.18, -0.18, 0.32, -0.32].map((share) => [x + share * u - 3.3 * words.length, y + share * v + 4]), true);
+    for (const { words, at: [x, y], way: [u, v] } of this.measured) {
+      const width = wide(words, 12);
+      put(shown(words, "measure"), [0, 0.18, -0.18, 0.32, -0.32].map((share) => [x + share * u - width / 2, y + share * v + 4]), width, true);
+    }
     if (named) for (const { words, tip, foot } of this.arrows.slice(0, SOME)) {
-      const wide = 6.6 * words.length, down = tip[1] > foot[1] ? 15 : -6, [x, y] = tip;
-      put(shown(words, "amount"), [[x - wide / 2, y + down], [x + 7, y + 4], [x - wide - 7, y + 4], [x + 7, (y + foot[1]) / 2 + 4], [x - wide - 7, (y + foot[1]) / 2 + 4], [x - wide / 2, y + 2 * down]], false);
+      const width = wide(words, 12, 600), down = tip[1] > foot[1] ? 15 : -6, [x, y] = tip;
+      put(shown(words, "amount"), [[x - width / 2, y + down], [x + 7, y + 4], [x - width - 7, y + 4], [x + 7, (y + foot[1]) / 2 + 4], [x - width - 7, (y + foot[1]) / 2 + 4], [x - width / 2, y + 2 * down]], width, false);
     }
     this.layers.values.replaceChildren(...texts);
   }
@@ -212,7 +217,7 @@ export class Canvas {
   /** Supports, drives, loads, couplings, springs, dimensions. */
   marks(state) {
     const marks = [], at = (name) => this.at(name), ends = (name) => state.members.find((one) => one.name === name)?.ends;
-    this.feet = [];
+    this.taken = [];
     for (const mark of state.supports) marks.push(...this.support(mark));
     for (const drive of state.drives) marks.push(...this.drive(drive, ends));
     this.arrows = [];
@@ -223,19 +228,28 @@ export class Canvas {
     this.layers.marks.replaceChildren(...marks, ...springs(state.data, at, ends), ...measured.lines);
   }
 
+  /** The mark of a drive, whose ground no name covers: arrows of a push, an arc about the first end of what turns, a sleeve on a length. */
   drive({ unit, bar, node, axis }, ends) {
+    const { camera } = this.draw, takes = (points) => points.forEach(([x, y]) => this.taken.push([x - STROKE, y - STROKE, x + STROKE, y + STROKE]));
     if (node && axis) {
       const from = this.at(node);
       if (!from) return [];
-      const { camera } = this.draw, place = this.draw.at(node), along = (pixels) => camera.project(place.map((value, k) => value + ("xyz"[k] === axis ? pixels / camera.scale : 0)));
-      return [arrow(along(34), along(12), "drive"), arrow(along(-34), along(-12), "drive")];
+      const place = this.draw.at(node), along = (pixels) => camera.project(place.map((value, k) => value + ("xyz"[k] === axis ? pixels / camera.scale : 0)));
+      return [1, -1].map((way) => {
+        takes([34, 28, 23, 17, 12].map((pixels) => along(way * pixels)));
+        return arrow(along(way * 34), along(way * 12), "drive");
+      });
     }
     const pair = ends(bar);
     if (!pair) return [];
-    const [a, b] = pair.map((end) => this.at(end)), turned = Math.atan2(b[1] - a[1], b[0] - a[0]);
-    if (unit === "rad" && axis) return [svg("path", { class: "drive", d: path(ring(this.draw, this.draw.at(pair[0]), 15 / this.draw.camera.scale, axis, this.draw.at(pair[1]).map((value, k) => value - this.draw.at(pair[0])[k]), [0, 0.8])) })];
-    if (unit !== "rad") return [svg("rect", { class: "drive", x: -11, y: -5, width: 22, height: 10, rx: 3, transform: `translate(${(a[0] + b[0]) / 2} ${(a[1] + b[1]) / 2}) rotate(${(turned * 180) / Math.PI})` })];
-    return [svg("path", { class: "drive", d: `M${a[0] + 15 * Math.cos(turned)} ${a[1] + 15 * Math.sin(turned)}A15 15 0 1 1 ${a[0] + 15 * Math.cos(turned + 1.2)} ${a[1] + 15 * Math.sin(turned + 1.2)}` })];
+    const [a, b] = pair.map((end) => this.at(end)), [x, y] = [(a[0] + b[0]) / 2, (a[1] + b[1]) / 2], turned = Math.atan2(b[1] - a[1], b[0] - a[0]);
+    if (unit === "rad") {
+      const [from, to] = pair.map((end) => this.draw.at(end)), arc = ring(this.draw, from, TURN / camera.scale, axis, to.map((value, k) => value - from[k]), [0, 0.8]);
+      takes(arc.filter((_, k) => k % 4 === 0));
+      return [svg("path", { class: "drive", d: path(arc) })];
+    }
+    takes([-8, 0, 8].map((along) => [x + along * Math.cos(turned), y + along * Math.sin(turned)]));
+    return [svg("rect", { class: "drive", x: -11, y: -5, width: 22, height: 10, rx: 3, transform: `translate(${x} ${y}) rotate(${(turned * 180) / Math.PI})` })];
   }
 
   /** The arrows of a load, and where its value belongs. */
@@ -265,7 +279,7 @@ export class Canvas {
     const at = [place[0], place[1], place[2] || 0], faces = kind === "pin" || kind === "roller";
     const lines = symbolAt({ kind, along }, at, SUPPORT / camera.scale).map((line) => line.map((point) => camera.project(point)));
     const across = (k) => lines.flat().map((point) => point[k]);
-    this.feet.push([Math.min(...across(0)), Math.min(...across(1)), Math.max(...across(0)), Math.max(...across(1))]);
+    this.taken.push([Math.min(...across(0)), Math.min(...across(1)), Math.max(...across(0)), Math.max(...across(1))]);
     return lines.map((line, k) => svg("path", { class: faces && k === 0 ? "support" : "support line", "data-support": node, "data-kind": kind, d: path(line) }));
   }
 

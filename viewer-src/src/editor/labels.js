@@ -1,7 +1,9 @@
-// Names beside nodes and members, each at the first of its places where it covers no other.
+// Names beside nodes and members, each at the first of its places where it covers no other and no mark of a drive.
 
-const WIDE = 7.4, NARROW = 6.1; // pixels of a letter of a node's and a member's name
+const BESIDE = [9, 15, 21]; // pixels from a node to its name: beside it, or beyond what is drawn about it
 const HIGH = 13; // pixels of a line
+const ROUND = [[1, 0], [-1, 0], [0, 1], [0, -1], [0.7, 0.7], [-0.7, 0.7], [0.7, -0.7], [-0.7, -0.7]]; // ways out of a crowded place
+const FAR = [18, 36, 54, 72, 90, 120, 160]; // pixels out
 const PARTS = [0.5, 0.38, 0.62, 0.26, 0.74]; // of a member, where its name may stand
 
 const meet = (a, b) => a[0] < b[2] && b[0] < a[2] && a[1] < b[3] && b[1] < a[3];
@@ -23,21 +25,37 @@ function crosses([p, q], [left, top, right, bottom]) {
   return from < to;
 }
 
+const context = document.createElement("canvas").getContext("2d"), widths = new Map();
+
+/** Pixels of a text, from those of its letters: each is measured once, as words that tell a value change with every picture. */
+export function wide(words, size, weight = 400) {
+  return [...words].reduce((sum, letter) => {
+    const key = `${weight} ${size} ${letter}`;
+    if (!widths.has(key)) {
+      context.font = `${weight} ${size}px ${getComputedStyle(document.getElementById("kinetruss")).fontFamily}`;
+      widths.set(key, context.measureText(letter).width);
+    }
+    return sum + widths.get(key);
+  }, 0);
+}
+
 export class Labels {
   constructor() {
     Object.assign(this, { taken: [], lines: [] });
   }
 
-  /** Nodes and symbols of supports are covered by no name. lines : members, which names cover only where there is no other room. */
-  begin(points, lines, feet) {
-    this.taken = [...points.map(([x, y]) => [x - 6, y - 6, x + 6, y + 6]), ...feet];
+  /** Nodes and marks (boxes of supports and drives) are covered by no name. lines : members, which names cover only where there is no other room. */
+  begin(points, lines, marks) {
+    this.taken = [...points.map(([x, y]) => [x - 6, y - 6, x + 6, y + 6]), ...marks];
     this.lines = lines;
   }
 
-  /** Put a text at the first free place, on no line if there is one; without one at the first place if it must be seen, else nowhere. */
-  put(text, places, width, must) {
-    const free = places.filter(([x, y]) => !this.taken.some((one) => meet(one, box(x, y, width))));
-    const found = free.find(([x, y]) => !this.lines.some((line) => crosses(line, box(x, y, width)))) || free[0] || (must ? places[0] : null);
+  /** Put a text into the first ring of places with a free one, on no line if it can be; if it must be seen further out, else nowhere. */
+  put(text, rings, width, must) {
+    const [[[x0, y0]]] = rings, out = must ? FAR.map((far) => ROUND.map(([u, v]) => [x0 + far * u, y0 + far * v])) : [];
+    const free = (ring) => ring.filter(([x, y]) => !this.taken.some((one) => meet(one, box(x, y, width))));
+    const best = (ring) => ring.find(([x, y]) => !this.lines.some((line) => crosses(line, box(x, y, width)))) || ring[0];
+    const found = [...rings, ...out].reduce((there, ring) => there || best(free(ring)), null) || (must ? [x0, y0] : null);
     text.setAttribute("display", found ? "inline" : "none");
     if (!found) return;
     this.taken.push(box(...found, width));
@@ -46,16 +64,16 @@ export class Labels {
   }
 
   node(text, [x, y], must) {
-    const width = WIDE * text.textContent.length;
-    this.put(text, [[x + 9, y - 9], [x - 9 - width, y - 9], [x + 9, y + 17], [x - 9 - width, y + 17], [x - width / 2, y - 12], [x - width / 2, y + 22], [x + 11, y + 4], [x - 11 - width, y + 4]], width, must);
+    const width = wide(text.textContent, 12, 600);
+    this.put(text, BESIDE.map((out) => [[x + out, y - out], [x - out - width, y - out], [x + out, y + 8 + out], [x - out - width, y + 8 + out], [x - width / 2, y - 3 - out], [x - width / 2, y + 13 + out], [x + 2 + out, y + 4], [x - 2 - out - width, y + 4]]), width, must);
   }
 
   member(text, a, b, must) {
-    const width = NARROW * text.textContent.length;
+    const width = wide(text.textContent, 11);
     const places = PARTS.flatMap((part) => {
       const [x, y] = [a[0] + part * (b[0] - a[0]), a[1] + part * (b[1] - a[1])];
       return [[x + 6, y - 6], [x - 6 - width, y - 6], [x + 6, y + 16], [x - 6 - width, y + 16], [x - width / 2, y - 8], [x - width / 2, y + 18]];
     });
-    this.put(text, places, width, must);
+    this.put(text, [places], width, must);
   }
 }

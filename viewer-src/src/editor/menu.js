@@ -1,7 +1,7 @@
 // The menu at the right button (a long press of a finger; the menu key, or Shift+F10): all tools that begin at what is there.
 
 import { el } from "../dom.js";
-import { iconOf } from "./rail.js";
+import { iconOf } from "./palette.js";
 import { GROUPS } from "./tools/index.js";
 
 export class Menu {

@@ -1,21 +1,17 @@
 // The tools above the drawing, and the keys of the page.
 
-import { el, press, svg } from "../dom.js";
+import { el, press } from "../dom.js";
 import { field } from "./fields.js";
 import { HANDS } from "./measures.js";
+import { Palette } from "./palette.js";
 import { metres } from "./readout.js";
-import { GROUPS, TOOLS } from "./tools/index.js";
-
-/** The picture of a tool. */
-export function iconOf(path) {
-  return svg("svg", { class: "icon", viewBox: "0 0 24 24", width: 24, height: 24, "aria-hidden": "true" }, svg("path", { d: path }));
-}
+import { TOOLS } from "./tools/index.js";
 
 export class ToolRail {
   constructor(draw) {
     this.draw = draw;
-    this.tools = new Map([...TOOLS.values()].map(({ name, words, key, about, icon }) => [name, el("button", { type: "button", "aria-label": words, title: `${about} (${key.toUpperCase()})`, onclick: () => draw.setTool(name) }, iconOf(icon), el("span", {}, words))]));
-    const palette = el("div", { class: "palette", role: "toolbar", "aria-label": "tools" }, GROUPS.map(([name, tools]) => el("span", { class: "group", role: "group", "aria-label": name }, tools.map((tool) => this.tools.get(tool.name)))));
+    this.palette = new Palette(draw);
+    this.tools = this.palette.tools;
     const made = (words, title, action) => el("button", { type: "button", title, "aria-label": title.replace(/ \(.*/, ""), onclick: action }, words);
     this.several = made("Several", "Pick several: as with Shift held", () => this.toggleSeveral());
     this.several.className = "several";
@@ -36,7 +32,7 @@ export class ToolRail {
     this.title = el("h1", {});
     this.node = el("header", { class: "toolbar rail" }, el("div", { class: "title" }, this.title, el("a", { href: "../", class: "operate" }, "Operate: sliders and forces")),
       el("div", { class: "tools" }, el("span", { class: "group" }, this.several, this.undo, this.redo, this.delete, this.fit, this.fold),
-        el("span", { class: "group view" }, this.names, this.force, this.strength, this.lengths, this.snap, this.theme, draw.diagram.node), this.grid, this.looks, this.plane), palette);
+        el("span", { class: "group view" }, this.names, this.force, this.strength, this.lengths, this.snap, this.theme, draw.diagram.node), this.grid, this.looks, this.plane), this.palette.node);
   }
 
   toggle(name) {
@@ -73,8 +69,7 @@ export class ToolRail {
 
   rebuild() {
     const { draw } = this, { state, camera } = draw;
-    for (const [name, one] of this.tools) press(one, draw.tool === name);
-    for (const name of ["positions", "path"]) this.tools.get(name).hidden = state?.dim === 3;
+    this.palette.rebuild(draw.tool, state?.dim);
     press(this.several, draw.several);
     press(this.names, draw.shown.names);
     press(this.force, draw.shown.force);
