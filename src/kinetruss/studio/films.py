@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, NamedTuple
 
 import numpy as np
 
@@ -15,10 +15,19 @@ from kinetruss.studio.shown import framed, places_of
 from kinetruss.units import parse
 
 if TYPE_CHECKING:
-    from collections.abc import Sequence
+    from collections.abc import Callable, Sequence
 
+    from kinetruss.model import Model
     from kinetruss.strength.curves import Curve
     from kinetruss.studio.shown import Record, Shown
+
+
+class Played(NamedTuple):
+    """The motion that was played last: of which revision of the drawing, what was asked for, and its film without strength."""
+
+    revision: int
+    asked: tuple[object, ...]
+    film: sweeps.Film
 
 
 def film_of(session: Shown, drives: Sequence[str], rate: float | str | None, at_speed: bool, strength: bool) -> bytes:
@@ -26,25 +35,37 @@ def film_of(session: Shown, drives: Sequence[str], rate: float | str | None, at_
     model, position = session.closed()
     wanted = None if rate is None or not drives else _rate(rate, turns(model.all_drives.get(drives[0])))
     forces = session.drawing.found.forces
-    if bent := forces is not None and not np.array_equal(forces.motion.whole["position"].values[0], position):
-        if at_speed:
-            raise InputError("Parts that bend or stretch are shown in equilibrium, at rest. Their inertia needs a run.")
-        found = sweeps.settled(sweeps.swept(model, position, drives, rate=wanted, samples=sweeps.FEWEST), model)
-    else:
-        found = sweeps.swept(model, position, drives, rate=wanted)
-    return _film(session, sweeps.film(found, model, at_speed, strength), bent=bent)
+    bent = forces is not None and not np.array_equal(forces.motion.whole["position"].values[0], position)
+    if bent and at_speed:
+        raise InputError("Parts that bend or stretch are shown in equilibrium, at rest. Their inertia needs a run.")
+
+    def computed() -> sweeps.Film:
+        if bent:
+            found = sweeps.settled(sweeps.swept(model, position, drives, rate=wanted, samples=sweeps.FEWEST), model)
+        else:
+            found = sweeps.swept(model, position, drives, rate=wanted)
+        return sweeps.film(found, model, at_speed)
+
+    return _film(session, model, ("sweep", tuple(drives), wanted, at_speed), computed, strength, bent=bent)
 
 
 def fall_of(session: Shown, held: bool, strength: bool) -> bytes:
     """The motion of a drawing that is let go, like that of its drives."""
-    return _film(session, let_go(*session.closed(), held, strength), bent=False)
+    model, position = session.closed()
+    return _film(session, model, ("let go", held), lambda: let_go(model, position, held), strength, bent=False)
 
 
-def _film(session: Shown, film: sweeps.Film, *, bent: bool) -> bytes:
-    session.played = (session.drawing.revision, film.forces)
+def _film(
+    session: Shown, model: Model, asked: tuple[object, ...], computed: Callable[[], sweeps.Film], strength: bool, *, bent: bool
+) -> bytes:  # fmt: skip
+    """A motion for a page: the one that was played last, where that was asked for of the same drawing."""
+    played, revision = session.played, session.drawing.revision
+    if played is None or (played.revision, played.asked) != (revision, asked):
+        played = session.played = Played(revision, asked, computed())
+    film = sweeps.with_strength(played.film, model) if strength else played.film
     blocks = {name: np.ascontiguousarray(values, "<f4") for name, values in film.arrays.items()}
     table = {name: list(values.shape) for name, values in blocks.items()}
-    header = {"kind": "sweep", "revision": session.drawing.revision, "bent": bent, **film.header, "arrays": table}
+    header = {"kind": "sweep", "revision": revision, "bent": bent, **film.header, "arrays": table}
     return framed(header, *(values.tobytes() for values in blocks.values()))
 
 
@@ -68,9 +89,8 @@ def over_of(session: Shown, show: str, sample: int | None) -> Record:
     found, forces = session.drawing.found, session.drawing.found.forces
     record: Record = {"kind": "over", "show": show, "curves": [], "why": found.why or "There are no forces."}
     if sample is not None:
-        revision, played = session.played or (-1, None)
-        known = played is not None and revision == session.drawing.revision and sample < len(played.motion.whole["time"])
-        forces = only(played, sample) if played is not None and known else None
+        known = session.played if session.played is not None and session.played.revision == session.drawing.revision else None
+        forces = None if known is None or sample >= len(known.film.arrays["time"]) else only(known.film.forces, sample)
         record["why"] = "The motion is not known any more. Play it again."
     if found.model is None or forces is None:
         return record

@@ -28,8 +28,8 @@ if TYPE_CHECKING:
     from numpy.typing import NDArray
 
     from kinetruss.kinematics.synthesis import Linkage
-    from kinetruss.results import Forces
     from kinetruss.studio.edits import Data
+    from kinetruss.studio.films import Played
 
 SMALL, LARGE = 262_144, 4_000_000
 """Largest size of a message of a page with sliders and of a drawing page, bytes; a text of 20,000 bars has about a million."""
@@ -64,7 +64,7 @@ class Desk:
         self.original = self.saved = opened(model, text, folder, dim, draw)
         self.case: str | None = None
         self.frames: Sequence[KeyFrame] = ()
-        self.played: tuple[int, Forces] | None = None  # revision and forces of the last motion
+        self.played: Played | None = None  # the last motion
         self.asked: tuple[Linkage, ...] = ()  # found for the last task
         self.grip: Grip | None = None
         self.kept = True  # False: the pose has changed since the changes were kept

@@ -43,6 +43,7 @@ if TYPE_CHECKING:
     from kinetruss.runs import RunResult
     from kinetruss.studio.drawing import Drawing, State
     from kinetruss.studio.files import Drafts
+    from kinetruss.studio.films import Played
     from kinetruss.studio.judging import Judged
     from kinetruss.studio.poses import Instant, Reached
     from kinetruss.studio.requested_runs import KeyFrame, Results
@@ -64,7 +65,7 @@ class Shown(Protocol):
     unkept: str
     offered: tuple[str, float] | None
     results: Results
-    played: tuple[int, Forces] | None
+    played: Played | None
 
     @property
     def model(self) -> Model: ...  # noqa: D102
