@@ -2,13 +2,13 @@
 
 from __future__ import annotations
 
-import json
 import math
 
 import numpy as np
 import pytest
 
 import kinetruss as kt
+from drawn import asked, unpacked
 from four_bars import four_bar
 from kinetruss.strength import utilisation
 from kinetruss.studio import Session
@@ -137,21 +137,11 @@ def test_the_strength_along_a_motion_is_that_of_every_pose_by_itself():
     assert film(found, model)[0]["judged"] is None
 
 
-def unpacked(answer: bytes) -> tuple[dict, dict[str, np.ndarray]]:
-    size = int.from_bytes(answer[:4], "little")
-    header, at, found = json.loads(answer[4 : 4 + size]), 4 + size, {}
-    for name, shape in header["arrays"].items():
-        found[name] = np.frombuffer(answer, "<f4", math.prod(shape), at).reshape(shape)
-        at += found[name].nbytes
-    assert at == len(answer)
-    return header, found
-
-
 def test_a_page_gets_the_motion_or_why_there_is_none_and_takes_over_a_pose_of_it():
     desk = Session(crank(), draw=True)
 
     def ask(**command) -> dict | bytes:
-        return desk.answer(json.dumps(command))
+        return asked(desk, **command)
 
     header, arrays = unpacked(ask(do="sweep", drives=["motor"], rate="720 deg/s"))
     assert (header["kind"], header["whole"], header["revision"]) == ("sweep", True, desk.drawing.revision)
@@ -165,7 +155,7 @@ def test_a_page_gets_the_motion_or_why_there_is_none_and_takes_over_a_pose_of_it
     np.testing.assert_allclose(put["places"][1], [0.2 * math.cos(math.radians(30)), 0.1], atol=1e-14)
     assert put["undo"] == "the other pose"
     loose = Session(crank().with_(drives={}), draw=True)
-    assert "no drive" in loose.answer(json.dumps({"do": "sweep", "drives": []}))["message"]
+    assert "no drive" in asked(loose, do="sweep", drives=[])["message"]
 
 
 def test_the_strength_of_a_motion_that_was_played_is_that_of_its_forces_and_nothing_else_is_computed_again(monkeypatch):
@@ -175,7 +165,7 @@ def test_the_strength_of_a_motion_that_was_played_is_that_of_its_forces_and_noth
     monkeypatch.setattr("kinetruss.studio.films.sweeps.film", lambda *given: moved.append(given) or film(*given))
 
     def play(**command) -> tuple[dict, dict[str, np.ndarray]]:
-        return unpacked(desk.answer(json.dumps({"do": "sweep", "drives": ["motor"], **command})))
+        return unpacked(asked(desk, do="sweep", drives=["motor"], **command))
 
     header, bare = play()
     assert header["judged"] is None
@@ -190,7 +180,7 @@ def test_the_strength_of_a_motion_that_was_played_is_that_of_its_forces_and_noth
     for count, command in enumerate([{"rate": 3.0}, {"rate": 3.0, "at_speed": True}, {}], 2):
         play(**command, strength=True)
         assert len(moved) == count
-    desk.answer(json.dumps({"do": "move", "places": {"B": [0, 0.3]}}))  # of another drawing everything is another one
+    asked(desk, do="move", places={"B": [0, 0.3]})  # of another drawing everything is another one
     _, longer = play(strength=True)
     assert len(moved) == 5
     assert np.abs(longer["drive_force"]).max() == pytest.approx(30)

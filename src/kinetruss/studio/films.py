@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, NamedTuple
+from functools import partial
+from typing import TYPE_CHECKING
 
 import numpy as np
 
@@ -19,54 +20,62 @@ if TYPE_CHECKING:
 
     from kinetruss.model import Model
     from kinetruss.strength.curves import Curve
+    from kinetruss.studio.motions import Asked, Compute
     from kinetruss.studio.shown import Record, Shown
 
-
-class Played(NamedTuple):
-    """The motion that was played last: of which revision of the drawing, what was asked for, and its film without strength."""
-
-    revision: int
-    asked: tuple[object, ...]
-    film: sweeps.Film
+    Answer = bytes | Record
 
 
-def film_of(session: Shown, drives: Sequence[str], rate: float | str | None, at_speed: bool, strength: bool) -> bytes:
-    """A motion of drives through their range: names and words in the header, float32 arrays over time after it."""
-    model, position = session.closed()
+def film_of(session: Shown, drives: Sequence[str], rate: float | str | None, at_speed: bool, strength: bool) -> Answer:
+    """A motion of drives through their range; the answer of `motion_of`."""
+    with session.lock:
+        model, position = session.closed()
+        forces, revision = session.drawing.found.forces, session.drawing.revision
     wanted = None if rate is None or not drives else _rate(rate, turns(model.all_drives.get(drives[0])))
-    forces = session.drawing.found.forces
     bent = forces is not None and not np.array_equal(forces.motion.whole["position"].values[0], position)
     if bent and at_speed:
         raise InputError("Parts that bend or stretch are shown in equilibrium, at rest. Their inertia needs a run.")
 
-    def computed() -> sweeps.Film:
-        if bent:
-            found = sweeps.settled(sweeps.swept(model, position, drives, rate=wanted, samples=sweeps.FEWEST), model)
-        else:
-            found = sweeps.swept(model, position, drives, rate=wanted)
-        return sweeps.film(found, model, at_speed)
+    def compute(look: Callable[[], None]) -> sweeps.Film:
+        found = sweeps.swept(model, position, drives, rate=wanted, samples=sweeps.FEWEST if bent else sweeps.SAMPLES)
+        look()
+        return sweeps.film(sweeps.settled(found, model, look) if bent else found, model, at_speed)
 
-    return _film(session, model, ("sweep", tuple(drives), wanted, at_speed), computed, strength, bent=bent)
+    asked = (revision, "sweep", tuple(drives), wanted, at_speed, bent)
+    return _begun(session, asked, compute, model if strength else None, bent=bent)
 
 
-def fall_of(session: Shown, held: bool, strength: bool) -> bytes:
+def fall_of(session: Shown, held: bool, strength: bool) -> Answer:
     """The motion of a drawing that is let go, like that of its drives."""
-    model, position = session.closed()
-    return _film(session, model, ("let go", held), lambda: let_go(model, position, held), strength, bent=False)
+    with session.lock:
+        (model, position), revision = session.closed(), session.drawing.revision
+    compute = partial(let_go, model, position, held)
+    return _begun(session, (revision, "let go", held), compute, model if strength else None)
 
 
-def _film(
-    session: Shown, model: Model, asked: tuple[object, ...], computed: Callable[[], sweeps.Film], strength: bool, *, bent: bool
-) -> bytes:  # fmt: skip
-    """A motion for a page: the one that was played last, where that was asked for of the same drawing."""
-    played, revision = session.played, session.drawing.revision
-    if played is None or (played.revision, played.asked) != (revision, asked):
-        played = session.played = Played(revision, asked, computed())
-    film = sweeps.with_strength(played.film, model) if strength else played.film
+def _begun(session: Shown, asked: Asked, compute: Compute, judged: Model | None, *, bent: bool = False) -> Answer:
+    """The answer of `motion_of` to a new request. judged : the model whose strength is asked for."""
+    more = {"kind": "sweep", "revision": asked[0], "bent": bent}
+
+    def named(look: Callable[[], None]) -> sweeps.Film:
+        film = compute(look)
+        return film._replace(header=more | film.header)
+
+    judge = None if judged is None else partial(sweeps.with_strength, model=judged)
+    return motion_of(session, session.motions.begin(asked, named, judge))
+
+
+def motion_of(session: Shown, number: int) -> Answer:
+    """A motion that was asked for: names and words in the header, float32 arrays over time after it.
+
+    A record instead: it is still computed, or it is not the motion of this drawing, or not the newest request.
+    """
+    film = session.motions.answer(number)
+    if isinstance(film, dict):
+        return film
     blocks = {name: np.ascontiguousarray(values, "<f4") for name, values in film.arrays.items()}
     table = {name: list(values.shape) for name, values in blocks.items()}
-    header = {"kind": "sweep", "revision": revision, "bent": bent, **film.header, "arrays": table}
-    return framed(header, *(values.tobytes() for values in blocks.values()))
+    return framed(film.header | {"arrays": table}, *(values.tobytes() for values in blocks.values()))
 
 
 def _rate(given: float | str, turning: bool) -> float:
@@ -89,8 +98,8 @@ def over_of(session: Shown, show: str, sample: int | None) -> Record:
     found, forces = session.drawing.found, session.drawing.found.forces
     record: Record = {"kind": "over", "show": show, "curves": [], "why": found.why or "There are no forces."}
     if sample is not None:
-        known = session.played if session.played is not None and session.played.revision == session.drawing.revision else None
-        forces = None if known is None or sample >= len(known.film.arrays["time"]) else only(known.film.forces, sample)
+        film = session.motions.of(session.drawing.revision)
+        forces = None if film is None or sample >= len(film.arrays["time"]) else only(film.forces, sample)
         record["why"] = "The motion is not known any more. Play it again."
     if found.model is None or forces is None:
         return record

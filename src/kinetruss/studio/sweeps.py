@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Mapping, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, replace
 from itertools import combinations
 from typing import TYPE_CHECKING, Any, NamedTuple
@@ -205,8 +205,11 @@ def _aligned(model: Model, x: Floats) -> str:
     return best[1]
 
 
-def settled(swept: Swept, model: Model) -> Swept:
-    """The same at rest, with elastic parts in the equilibrium near each pose; as far as there is a stable one."""
+def settled(swept: Swept, model: Model, stop: Callable[[], object] = bool) -> Swept:
+    """The same at rest, with elastic parts in the equilibrium near each pose; as far as there is a stable one.
+
+    stop : called before each pose, ends it by an error.
+    """
     system = compile(model)
     values, x = _driven(model, swept, system.drives), swept.position.copy()
     unit = "rad" if turns(model.all_drives[swept.drives[0]]) else "m"
@@ -214,6 +217,7 @@ def settled(swept: Swept, model: Model) -> Swept:
     for end, steps in enumerate((range(swept.here, -1, -1), range(swept.here, len(x)))):
         reached = swept.here
         for k in steps:
+            stop()
             try:
                 rest = statics.equilibrium(model, x[k], lengths=dict(zip(system.drives, values[k].tolist(), strict=True)))
                 why = "" if rest.stable else "The equilibrium is not stable"
