@@ -2,7 +2,8 @@
 
 The grammar is strict: one number, one unit expression (units joined by space, ``*`` or ``/``, with integer powers).
 No decimal commas, no arithmetic, no bare unit. A number without a unit is SI. ``lb`` is mass, ``lbf`` is force. Angles are a
-dimension of their own, so an angular rate in Hz, or a length in degrees, is refused.
+dimension of their own, so an angular rate in Hz, or a length in degrees, is refused. Whatever `kinetruss.display` writes is
+read, ``µN`` and ``m/s²`` too.
 """
 
 from __future__ import annotations
@@ -31,8 +32,6 @@ _ATOMS: dict[str, tuple[float, tuple[int, ...]]] = {
     "m": (1.0, _M),
     "km": (1e3, _M),
     "cm": (1e-2, _M),
-    "mm": (1e-3, _M),
-    "um": (1e-6, _M),
     "in": (0.0254, _M),
     "ft": (0.3048, _M),
     "l": (1e-3, (0, 3, 0, 0, 0)),
@@ -41,8 +40,6 @@ _ATOMS: dict[str, tuple[float, tuple[int, ...]]] = {
     "t": (1e3, _KG),
     "lb": (0.45359237, _KG),
     "s": (1.0, _S),
-    "ms": (1e-3, _S),
-    "us": (1e-6, _S),
     "min": (60.0, _S),
     "h": (3600.0, _S),
     "rad": (1.0, _RAD),
@@ -52,31 +49,27 @@ _ATOMS: dict[str, tuple[float, tuple[int, ...]]] = {
     "rpm": (2 * math.pi / 60, (0, 0, -1, 0, 1)),
     "Hz": (1.0, (0, 0, -1, 0, 0)),
     "N": (1.0, _N),
-    "mN": (1e-3, _N),
-    "kN": (1e3, _N),
-    "MN": (1e6, _N),
     "lbf": (4.4482216152605, _N),
     "Pa": (1.0, _PA),
-    "kPa": (1e3, _PA),
-    "MPa": (1e6, _PA),
-    "GPa": (1e9, _PA),
     "bar": (1e5, _PA),
     "psi": (6894.757293168361, _PA),
     "ksi": (6894757.293168361, _PA),
     "A": (1.0, _A),
-    "mA": (1e-3, _A),
     "V": (1.0, _V),
-    "mV": (1e-3, _V),
     "ohm": (1.0, (1, 2, -3, -2, 0)),
     "kohm": (1e3, (1, 2, -3, -2, 0)),
     "H": (1.0, (1, 2, -2, -2, 0)),
     "mH": (1e-3, (1, 2, -2, -2, 0)),
+    "%": (1e-2, (0, 0, 0, 0, 0)),
     "strain": (1.0, (0, 0, 0, 0, 0)),
     "microstrain": (1e-6, (0, 0, 0, 0, 0)),
     "W": (1.0, _W),
-    "kW": (1e3, _W),
     "J": (1.0, (1, 2, -2, 0, 0)),
 }
+for _unit, _prefixes in {"m": "num", "s": "num", "Hz": "kMG", "Pa": "kMG", **dict.fromkeys("NVAWJ", "numkMG")}.items():
+    for _prefix in _prefixes:  # no others: Mm beside mm, or mPa beside MPa, would be read where a letter was mistyped
+        _power = {"n": -9, "u": -6, "m": -3, "k": 3, "M": 6, "G": 9}[_prefix]
+        _ATOMS[_prefix + _unit] = (float(f"1e{_power}"), _ATOMS[_unit][1])
 
 
 _MINUS = ("\N{MINUS SIGN}", "\N{EN DASH}", "\N{EM DASH}", "\N{NON-BREAKING HYPHEN}", "\N{HYPHEN}")
@@ -108,7 +101,8 @@ class Tagged(float):
 
 
 NUMBER = re.compile(r"[+-]?(?:\d+(?:\.\d*)?|\.\d+)(?:[eE][+-]?\d+)?", re.ASCII)
-_FACTOR = re.compile(r"([A-Za-z]+)(?:(?:\^|\*\*)(-?\d))?", re.ASCII)
+_FACTOR = re.compile(r"([A-Za-z]+|%)(?:(?:\^|\*\*)(-?\d))?", re.ASCII)
+_PLAIN = str.maketrans({"µ": "u", "μ": "u", "²": "^2", "³": "^3", "⁴": "^4"})
 _NOT_FINITE = re.compile(r"[+-]?\.?(?:nan|inf(?:inity)?)\b.*", re.IGNORECASE)
 _LONGEST = 80  # characters; longer text is not a quantity, and is cut in messages
 
@@ -122,8 +116,6 @@ _SPELLINGS = {
     "meter": "m",
     "metre": "m",
     "micron": "um",
-    "µm": "um",
-    "μm": "um",
     "lbs": "lb",
     "pound": "lb",
     "lbm": "lb",
@@ -142,6 +134,7 @@ _SPELLINGS = {
     "rps": "rev/s",
     "turn": "rev",
     "Nm": "N m",
+    "NM": "N m",
     "Nmm": "N mm",
     "lbs/in^3": "lb/in^3",
     "Ω": "ohm",
@@ -151,8 +144,6 @@ _SPELLINGS = {
     "Amp": "A",
     "amp": "A",
     "GPA": "GPa",
-    "m²": "m^2",
-    "m³": "m^3",
     "L": "l",
 }
 
@@ -170,7 +161,7 @@ def _expression(text: str) -> tuple[float, Dimension]:
                 raise UnitError(f"{part.strip()!r} stands where a unit is due.")
             power, factor_due = (-1 if operator == "/" else 1), True
             continue
-        match = _FACTOR.fullmatch(part)
+        match = _FACTOR.fullmatch(part.translate(_PLAIN))
         if match is None or match[1] not in _ATOMS:
             raise UnitError(f"{part!r} is not a unit known here. {_spelling(part)}".rstrip())
         factor, base = _ATOMS[match[1]]

@@ -180,6 +180,36 @@ def test_an_edit_goes_back_to_the_drawn_pose_and_the_motion_goes_on_anew(opened)
     assert len(hand.state()["nodes"]) == 4
 
 
+SLOW = """(() => {
+  const send = draw.post;
+  let sweeps = 0;
+  draw.post = (text) => {
+    const { do: what, number } = JSON.parse(text);
+    if (what === "sweep" ? sweeps++ : number !== 999) return send(text);
+    const late = { kind: "computing", number: 999, text: "Computing: 7 s" };
+    const answer = window.ready ? { kind: "replaced", message: "Another one." } : late;
+    setTimeout(() => draw.hear(JSON.stringify(answer)), 20);
+  };
+})()"""  # the first motion is not computed before the page has `ready`, and is then not that of the drawing any more
+
+
+def test_while_a_motion_is_computed_edits_are_answered_and_what_is_played_is_the_changed_drawing(opened):
+    hand = opened(four_bar((0.1, 0.35, 0.3), 0.4))
+    hand.js(SLOW)
+    hand.page.get_by_role("button", name="▶ Play", exact=True).click()
+    hand.shown.until("kinetruss.draw.busy.words === 'Computing: 7 s'")
+    hand.js("void draw.edit({ do: 'set', path: ['loads', 'F', 'force'], value: [0, -50] })")
+    hand.shown.until(f"{PLAY}.playing && {PLAY}.film.revision === kinetruss.draw.state.revision")
+    assert hand.js("draw.play.awaited") == 1
+    hand.js("window.ready = true")
+    hand.settle()
+    assert hand.js("[draw.play.awaited, draw.play.failed, draw.play.playing]") == [0, "", True]
+    hand.page.get_by_role("button", name="pause", exact=True).click()
+    model = four_bar((0.1, 0.35, 0.3), 0.4)
+    check_pose(hand, model.with_(loads={"F": kt.NodalForce(node="C", force=(0, -50))}))
+    assert (hand.shown.requests, hand.shown.complaints) == ([], [])
+
+
 @pytest.mark.parametrize(("width", "scheme"), [(1440, "dark"), (820, "light"), (390, "dark")])
 def test_on_every_screen_the_motion_is_at_hand(opened, width, scheme):
     hand = opened(four_bar((0.1, 0.35, 0.3), 0.4), width=width, height=844, scheme=scheme, has_touch=True)

@@ -8,10 +8,12 @@ from pathlib import Path
 
 import numpy as np
 import pytest
+from hypothesis import given, strategies as st
 
 from kinetruss.display import instant, margin, number, palettes, quantity, round_up, scale, ticks
-from kinetruss.display.numbers import UNITS, column
+from kinetruss.display.numbers import DIGITS, FLOORS, UNITS, column
 from kinetruss.display.palettes import script
+from kinetruss.units import EITHER, QUANTITIES, parse, unit_of
 
 PAGE = Path(__file__).parents[2] / "viewer-src" / "src"
 CALLS = """
@@ -72,6 +74,34 @@ def test_a_shown_value_is_the_value_to_its_last_digit(unit):
         assert name in {one for _, one in UNITS[unit]}
         if unit not in ("rad", "%"):
             assert abs(float(shown)) < 1000.5 or name == UNITS[unit][-1][1]
+
+
+def units_of(name):
+    """SI units in which the values of a quantity are shown."""
+    texts = [one for one in EITHER.get(name, unit_of(name)).split(", or ") if "what is measured" not in one]
+    return [*texts, "%"] if texts == [""] else texts
+
+
+@pytest.mark.parametrize("name", QUANTITIES)
+@given(value=st.floats(1e-15, 1e15), sign=st.sampled_from([1, -1]), digits=st.sampled_from([0, 4, 6, 9]))
+def test_what_is_shown_is_read_back(name, value, sign, digits):
+    for unit in units_of(name):
+        text = quantity(sign * value, unit, digits)
+        read = parse(text.replace("µ", "u"), name)
+        assert read == parse(text, name) == parse(text.replace("µ", "μ"), name)
+        if text.startswith("0 ") or text == "0":
+            assert unit in UNITS
+            assert value < FLOORS.get(unit, FLOORS[""])
+        else:
+            assert read == pytest.approx(sign * value, rel=0.51 * 10.0 ** (1 - (digits or DIGITS.get(unit, DIGITS[""]))))
+
+
+@pytest.mark.parametrize("unit", UNITS)
+def test_every_name_of_a_unit_is_read(unit):
+    for factor, name in UNITS[unit]:
+        assert parse(f"2 {name}", "measure") == pytest.approx(2 / factor, rel=1e-15)
+    texts, name = column([0.0, 2.5], unit)
+    assert parse(f"{texts[0]} {name}", "measure") == 0.0
 
 
 def test_ties_go_away_from_zero_and_times_stay_in_seconds():

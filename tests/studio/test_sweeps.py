@@ -2,18 +2,18 @@
 
 from __future__ import annotations
 
-import json
 import math
 
 import numpy as np
 import pytest
 
 import kinetruss as kt
+from drawn import asked, unpacked
 from four_bars import four_bar
 from kinetruss.strength import utilisation
 from kinetruss.studio import Session
 from kinetruss.studio.poses import at_rest, strength_of
-from kinetruss.studio.sweeps import film, swept
+from kinetruss.studio.sweeps import film, swept, with_strength
 
 
 def crank(mass: float = 0.0, radius: float = 0.2) -> kt.Model:
@@ -117,7 +117,7 @@ def test_the_strength_along_a_motion_is_that_of_every_pose_by_itself():
     bars = {name: kt.Bar(ends=bar.ends, **own[name]) for name, bar in model.bars.items()}
     model = model.with_(bars=bars, loads={"F": kt.NodalForce(node="C", force=(100, 80))})
     found = swept(model, kt.kinematics.assemble(model), ["motor"], samples=37)
-    header, arrays, _ = film(found, model, strength=True)
+    header, arrays, _ = with_strength(film(found, model), model)
     assert header["judged"] == ["crank", "rod", "rocker"]
     used = arrays["used"]
     for k in range(0, len(found.time), 6):
@@ -132,26 +132,16 @@ def test_the_strength_along_a_motion_is_that_of_every_pose_by_itself():
     assert np.isnan(used[:, 2]).any()
     assert (used[:, 2] > 0).any()
     assert np.isnan(used[:, 1]).all()  # no section
-    bare, arrays, _ = film(found, four_bar((0.1, 0.35, 0.3), 0.4), strength=True)
+    bare, arrays, _ = with_strength(film(found, model), four_bar((0.1, 0.35, 0.3), 0.4))
     assert (bare["judged"], "used" in arrays) == ([], False)
     assert film(found, model)[0]["judged"] is None
-
-
-def unpacked(answer: bytes) -> tuple[dict, dict[str, np.ndarray]]:
-    size = int.from_bytes(answer[:4], "little")
-    header, at, found = json.loads(answer[4 : 4 + size]), 4 + size, {}
-    for name, shape in header["arrays"].items():
-        found[name] = np.frombuffer(answer, "<f4", math.prod(shape), at).reshape(shape)
-        at += found[name].nbytes
-    assert at == len(answer)
-    return header, found
 
 
 def test_a_page_gets_the_motion_or_why_there_is_none_and_takes_over_a_pose_of_it():
     desk = Session(crank(), draw=True)
 
     def ask(**command) -> dict | bytes:
-        return desk.answer(json.dumps(command))
+        return asked(desk, **command)
 
     header, arrays = unpacked(ask(do="sweep", drives=["motor"], rate="720 deg/s"))
     assert (header["kind"], header["whole"], header["revision"]) == ("sweep", True, desk.drawing.revision)
@@ -166,4 +156,33 @@ def test_a_page_gets_the_motion_or_why_there_is_none_and_takes_over_a_pose_of_it
     np.testing.assert_allclose(put["places"][1], [0.2 * math.cos(math.radians(30)), 0.1], atol=1e-14)
     assert put["undo"] == "the other pose"
     loose = Session(crank().with_(drives={}), draw=True)
-    assert "no drive" in loose.answer(json.dumps({"do": "sweep", "drives": []}))["message"]
+    assert "no drive" in asked(loose, do="sweep", drives=[])["message"]
+
+
+def test_the_strength_of_a_motion_that_was_played_is_that_of_its_forces_and_nothing_else_is_computed_again(monkeypatch):
+    rod = {"section": kt.Rod(diameter=0.005), "material": "steel_s235"}
+    model = crank().with_(bars={"b": kt.Bar(ends=("A", "B"), **rod)})
+    desk, moved = Session(model, draw=True), []
+    monkeypatch.setattr("kinetruss.studio.films.sweeps.film", lambda *given: moved.append(given) or film(*given))
+
+    def play(**command) -> tuple[dict, dict[str, np.ndarray]]:
+        return unpacked(asked(desk, do="sweep", drives=["motor"], **command))
+
+    header, bare = play()
+    assert header["judged"] is None
+    assert "used" not in bare
+    header, shown = play(strength=True)
+    assert (header["judged"], len(moved)) == (["b"], 1)
+    found = swept(model, kt.kinematics.assemble(model), ["motor"])
+    np.testing.assert_array_equal(shown["used"], with_strength(film(found, model), model).arrays["used"].astype("<f4"))
+    for name, values in bare.items():
+        np.testing.assert_array_equal(shown[name], values)
+    assert "used" not in play()[1]  # off again
+    for count, command in enumerate([{"rate": 3.0}, {"rate": 3.0, "at_speed": True}, {}], 2):
+        play(**command, strength=True)
+        assert len(moved) == count
+    asked(desk, do="move", places={"B": [0, 0.3]})  # of another drawing everything is another one
+    _, longer = play(strength=True)
+    assert len(moved) == 5
+    assert np.abs(longer["drive_force"]).max() == pytest.approx(30)
+    assert longer["position"][0, 1].tolist() == pytest.approx([0, 0.3])

@@ -8,6 +8,7 @@ import numpy as np
 import pytest
 
 import kinetruss as kt
+from drawn import asked, unpacked
 from kinetruss.studio import Session
 from kinetruss.studio.first_use import used
 
@@ -96,12 +97,7 @@ CRANK = [
 def test_a_spring_and_a_rope_of_a_crank_pull_and_are_held_as_by_hand(session):
     drawn = ask(session, do="change", changes=CRANK, words="a crank")
     assert not any("all forces are zero" in words for words in drawn["missing"])
-    answer = ask(session, do="sweep", drives=["motor"])
-    header = json.loads(answer[4 : 4 + (size := int.from_bytes(answer[:4], "little"))])
-    arrays, at = {}, 4 + size
-    for name, shape in header["arrays"].items():
-        arrays[name] = np.frombuffer(answer, "<f4", int(np.prod(shape)), at).reshape(shape)
-        at += 4 * int(np.prod(shape))
+    header, arrays = unpacked(asked(session, do="sweep", drives=["motor"]))
     angle = arrays["drive_position"][:, 0].astype(float)
     tip = 0.2 * np.column_stack([np.cos(angle), np.sin(angle)])
     torque = np.zeros(len(angle))

@@ -44,6 +44,12 @@ GOOD = [
     ("2 ohm", "resistance", 2.0),
     ("3 mH", "inductance", 0.003),
     ("3 cm^2", "area", 3e-4),
+    ("3 cm²", "area", 3e-4),
+    ("87.3 %", "factor", 0.873),
+    ("5 uN", "force", 5e-6),
+    ("5 µN", "force", 5e-6),  # U+00B5
+    ("5 μN", "force", 5e-6),  # U+03BC
+    ("5 µm/s²", "acceleration", 5e-6),
     ("1 cm^4", "second moment of area", 1e-8),
     ("1 min", "time", 60.0),
     ("0.5", "number", 0.5),
@@ -106,7 +112,11 @@ BAD = [
     ("5 Nm", "torque", "'5 Nm' is not a torque: 'Nm' is not a unit known here. Write 'N m'."),
     ("5 KN", "force", "'5 KN' is not a force: 'KN' is not a unit known here. Write 'kN'."),
     ("90°", "angle", "'90°' is not an angle: '°' is not a unit known here. Write 'deg'."),
-    ("5 m²", "area", "'5 m²' is not an area: 'm²' is not a unit known here. Write 'm^2'."),
+    ("5 Mm", "length", "'5 Mm' is not a length: 'Mm' is not a unit known here. Write 'mm'."),
+    ("5 NM", "torque", "'5 NM' is not a torque: 'NM' is not a unit known here. Write 'N m'."),
+    ("5 µl", "length", f"'5 µl' is not a length: 'µl' is not a unit known here. {si('m')}"),
+    ("5 m²²", "length", f"'5 m²²' is not a length: 'm²²' is not a unit known here. {si('m')}"),
+    ("5 %", "length", f"'5 %' is not a length (m). {si('m')}"),
     (
         "5 foo",
         "force",

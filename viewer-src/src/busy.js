@@ -12,8 +12,9 @@ export class Busy {
   /** An answer is awaited that was asked for at `since`, ms. */
   wait(words, since) {
     const age = performance.now() - since;
-    if (this.words && age >= SOON) return; // said already
+    if (since === this.since || (this.words && age >= SOON)) return; // said already, or soon
     this.end();
+    this.since = since;
     this.timer = setTimeout(() => this.say(words), Math.max(LEAST, SOON - age));
   }
 
@@ -25,6 +26,7 @@ export class Busy {
 
   end() {
     clearTimeout(this.timer);
+    this.since = null;
     if (this.words) this.say("");
   }
 }

@@ -37,7 +37,7 @@ export class Talk {
       const next = this.hurried() || this.queue.shift() || this.leisurely();
       if (next) {
         this.waiting = { resolve: () => {}, since: performance.now(), ...next };
-        this.post(JSON.stringify(next.command));
+        this.post(JSON.stringify(next.sent || next.command));
       }
     }
     this.watch();
@@ -74,6 +74,11 @@ export class Talk {
     if (this.heard(answer)) return this.pump(); // nobody here asked
     const { waiting } = this;
     this.waiting = null;
+    if (answer.kind === "computing") { // asked for again, behind what else is asked for
+      if (this.busy.words) this.busy.say(answer.text);
+      this.queue.push({ ...waiting, sent: { do: "motion", number: answer.number } });
+      return this.pump();
+    }
     waiting?.resolve(answer);
     this.pump();
   }

@@ -183,7 +183,7 @@ def _not_negative(value: float) -> float:
 
 
 _NUMBER = rf"^\s*{NUMBER.pattern}\s*$"
-_NUMBER_AND_UNIT = rf"^\s*{NUMBER.pattern}(\s*[A-Za-z].*)?$"
+_NUMBER_AND_UNIT = rf"^\s*{NUMBER.pattern}(\s*[A-Za-zµμ%].*)?$"
 
 
 @dataclass(frozen=True)

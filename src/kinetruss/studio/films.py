@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from functools import partial
 from typing import TYPE_CHECKING
 
 import numpy as np
@@ -15,38 +16,67 @@ from kinetruss.studio.shown import framed, places_of
 from kinetruss.units import parse
 
 if TYPE_CHECKING:
-    from collections.abc import Sequence
+    from collections.abc import Callable, Sequence
 
+    from kinetruss.model import Model
     from kinetruss.strength.curves import Curve
+    from kinetruss.studio.motions import Asked, Compute
     from kinetruss.studio.shown import Record, Shown
 
+    Answer = bytes | Record
 
-def film_of(session: Shown, drives: Sequence[str], rate: float | str | None, at_speed: bool, strength: bool) -> bytes:
-    """A motion of drives through their range: names and words in the header, float32 arrays over time after it."""
-    model, position = session.closed()
+
+def film_of(session: Shown, drives: Sequence[str], rate: float | str | None, at_speed: bool, strength: bool) -> Answer:
+    """A motion of drives through their range; the answer of `motion_of`."""
+    with session.lock:
+        model, position = session.closed()
+        forces, revision = session.drawing.found.forces, session.drawing.revision
     first = next((model.all_drives.get(name) for name in drives), None)  # `swept` refuses a drive that is not there
     wanted = None if rate is None or first is None else _rate(rate, turns(first))
-    forces = session.drawing.found.forces
-    if bent := forces is not None and not np.array_equal(forces.motion.whole["position"].values[0], position):
-        if at_speed:
-            raise InputError("Parts that bend or stretch are shown in equilibrium, at rest. Their inertia needs a run.")
-        found = sweeps.settled(sweeps.swept(model, position, drives, rate=wanted, samples=sweeps.FEWEST), model)
-    else:
-        found = sweeps.swept(model, position, drives, rate=wanted)
-    return _film(session, sweeps.film(found, model, at_speed, strength), bent=bent)
+    bent = forces is not None and not np.array_equal(forces.motion.whole["position"].values[0], position)
+    if bent and at_speed:
+        raise InputError("Parts that bend or stretch are shown in equilibrium, at rest. Their inertia needs a run.")
+
+    def compute(look: Callable[[], None]) -> sweeps.Film:
+        found = sweeps.swept(model, position, drives, rate=wanted, samples=sweeps.FEWEST if bent else sweeps.SAMPLES)
+        look()
+        return sweeps.film(sweeps.settled(found, model, look) if bent else found, model, at_speed)
+
+    asked = (revision, "sweep", tuple(drives), wanted, at_speed, bent)
+    return _begun(session, asked, compute, model if strength else None, bent=bent)
 
 
-def fall_of(session: Shown, held: bool, strength: bool) -> bytes:
+def fall_of(session: Shown, held: bool, strength: bool) -> Answer:
     """The motion of a drawing that is let go, like that of its drives."""
-    return _film(session, let_go(*session.closed(), held, strength), bent=False)
+    with session.lock:
+        (model, position), revision = session.closed(), session.drawing.revision
+    compute = partial(let_go, model, position, held)
+    return _begun(session, (revision, "let go", held), compute, model if strength else None)
 
 
-def _film(session: Shown, film: sweeps.Film, *, bent: bool) -> bytes:
-    session.played = (session.drawing.revision, film.forces)
+def _begun(session: Shown, asked: Asked, compute: Compute, judged: Model | None, *, bent: bool = False) -> Answer:
+    """The answer of `motion_of` to a new request. judged : the model whose strength is asked for."""
+    more = {"kind": "sweep", "revision": asked[0], "bent": bent}
+
+    def named(look: Callable[[], None]) -> sweeps.Film:
+        film = compute(look)
+        return film._replace(header=more | film.header)
+
+    judge = None if judged is None else partial(sweeps.with_strength, model=judged)
+    return motion_of(session, session.motions.begin(asked, named, judge))
+
+
+def motion_of(session: Shown, number: int) -> Answer:
+    """A motion that was asked for: names and words in the header, float32 arrays over time after it.
+
+    A record instead: it is still computed, or it is not the motion of this drawing, or not the newest request.
+    """
+    film = session.motions.answer(number)
+    if isinstance(film, dict):
+        return film
     blocks = {name: np.ascontiguousarray(values, "<f4") for name, values in film.arrays.items()}
     table = {name: list(values.shape) for name, values in blocks.items()}
-    header = {"kind": "sweep", "revision": session.drawing.revision, "bent": bent, **film.header, "arrays": table}
-    return framed(header, *(values.tobytes() for values in blocks.values()))
+    return framed(film.header | {"arrays": table}, *(values.tobytes() for values in blocks.values()))
 
 
 def _rate(given: float | str, turning: bool) -> float:
@@ -69,9 +99,8 @@ def over_of(session: Shown, show: str, sample: int | None) -> Record:
     found, forces = session.drawing.found, session.drawing.found.forces
     record: Record = {"kind": "over", "show": show, "curves": [], "why": found.why or "There are no forces."}
     if sample is not None:
-        revision, played = session.played or (-1, None)
-        known = played is not None and revision == session.drawing.revision and sample < len(played.motion.whole["time"])
-        forces = only(played, sample) if played is not None and known else None
+        film = session.motions.of(session.drawing.revision)
+        forces = None if film is None or sample >= len(film.arrays["time"]) else only(film.forces, sample)
         record["why"] = "The motion is not known any more. Play it again."
     if found.model is None or forces is None:
         return record

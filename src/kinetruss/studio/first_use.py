@@ -26,7 +26,9 @@ def used(dim: int) -> tuple[Session, Session]:
 def _ask(session: Session, **message: Any) -> None:
     if "changes" in message:
         message["changes"] = [[[table], value] for table, value in message["changes"]]
-    session.answer(json.dumps(message))
+    answer = session.answer(json.dumps(message))
+    while isinstance(answer, dict) and answer["kind"] == "computing":
+        answer = session.answer(json.dumps({"do": "motion", "number": answer["number"]}))
 
 
 def _mechanism(dim: int) -> dict[str, Any]:

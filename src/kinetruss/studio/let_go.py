@@ -14,6 +14,8 @@ from kinetruss.studio.poses import reason
 from kinetruss.studio.sweeps import SAMPLES, TURN, Film, Swept, packed
 
 if TYPE_CHECKING:
+    from collections.abc import Callable
+
     from kinetruss.kernels.compiled.record import Floats
     from kinetruss.model import Model
 
@@ -21,12 +23,12 @@ PATIENCE = 10.0
 """Seconds of computation after which a motion is shown as far as it has got; they count once kernels are compiled."""
 
 
-def let_go(model: Model, position: Floats, held: bool, strength: bool = False, duration: float = TURN) -> Film:
+def let_go(model: Model, position: Floats, held: bool, stop: Callable[[], object] = bool, duration: float = TURN) -> Film:
     """The motion from a closed pose (n_nodes, dim), m, for so long (s): as `sweeps.film`, with energies over time, J.
 
     It starts with the velocities of the model's nodes, at rest if it gives none.
 
-    held : drives stay where they are; else they are free and give no force. strength : also the utilisation of members.
+    held : drives stay where they are; else they are free and give no force. stop : called now and then, ends it by an error.
 
     Raises
     ------
@@ -35,6 +37,7 @@ def let_go(model: Model, position: Floats, held: bool, strength: bool = False, d
     began: list[float] = []
 
     def look(_done: int, _total: int) -> None:
+        stop()
         began.append(time.monotonic())
         if began[-1] > began[0] + PATIENCE:
             raise KeyboardInterrupt
@@ -55,6 +58,6 @@ def let_go(model: Model, position: Floats, held: bool, strength: bool = False, d
         position=motion["position"].values, velocity=motion["velocity"].values, acceleration=motion["acceleration"].values,
         here=0, rate=0.0, whole=False, ends=("", end),
     )  # fmt: skip
-    header, arrays, forces = packed(found, model, run.forces, strength)
+    header, arrays, forces = packed(found, model, run.forces)
     energies = {name: run.data[name].values for name in ("kinetic_energy", "potential_energy")}
     return Film(header | {"swept": [], "drives_hold": held}, arrays | energies, forces)

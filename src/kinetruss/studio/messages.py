@@ -11,7 +11,7 @@ from kinetruss.errors import InputError, KinetrussError, ModelError
 from kinetruss.model import nearest
 from kinetruss.studio import asked, beginnings, catalogue, copies, drawing, edits, sweeps
 from kinetruss.studio.dimensions import renamed, toggled
-from kinetruss.studio.films import fall_of, film_of, over_of
+from kinetruss.studio.films import fall_of, film_of, motion_of, over_of
 from kinetruss.studio.member_kinds import switched
 from kinetruss.studio.new_parts import made, with_analysis
 from kinetruss.studio.protocol import message, message_of
@@ -43,10 +43,10 @@ Changes = Annotated[tuple[tuple[Path, Any], ...], Field(min_length=1, max_length
 Long = Annotated[str, Field(max_length=LARGE)]
 
 
-BESIDE = ("run", "running", "stop", "ask", "take")
+BESIDE = ("run", "running", "stop", "ask", "take", "sweep", "let_go", "motion")
 """Messages that do not wait for those before them: what takes long is computed beside what else is done."""
 
-DRAWN = ("dimension", "sweep", "let_go", "put", "over", "sections")
+DRAWN = ("dimension", "sweep", "let_go", "motion", "put", "over", "sections")
 """Messages that a drawing alone has."""
 
 
@@ -318,7 +318,7 @@ def curve(session: Session, node: Name, drive: Name, low: Coordinate | None = No
 
 @message
 def sweep(session: Session, drives: Names, rate: Typed | None = None, at_speed: bool = False, strength: bool = False) -> Answer:
-    """Drives through their range, to be played: positions, forces and reactions of every sample.
+    """Drives through their range, to be played: positions, forces and reactions of every sample; or a number for `motion`.
 
     rate : of the first, rad/s or m/s or text with a unit. at_speed : with inertia at this rate; else every pose at rest.
     strength : also how much of what is allowed every member uses.
@@ -333,6 +333,12 @@ def let_go(session: Session, held: bool = True, strength: bool = False) -> Answe
     held : the drives stay where they are; else they are free. strength : as of `sweep`.
     """
     return fall_of(session, held, strength)
+
+
+@message
+def motion(session: Session, number: Number) -> Answer:
+    """What was asked for by `sweep` or `let_go`, once it is computed. number : of their answer."""
+    return motion_of(session, number)
 
 
 @message

@@ -20,6 +20,7 @@ from kinetruss.studio.dragging import Grip
 from kinetruss.studio.drawing import Drawing, State, model_of, opened, read_text
 from kinetruss.studio.edits import at_pose
 from kinetruss.studio.files import Drafts, FileThereError, Seen, save, seen_now
+from kinetruss.studio.motions import Motions
 from kinetruss.studio.poses import Instant, Reached, instant, posed, present_values, range_of, reach, stand, start_of
 from kinetruss.studio.requested_runs import NAME, KeyFrame, Results, frames_of, travelled, way_of, with_way
 from kinetruss.units import parse
@@ -28,7 +29,6 @@ if TYPE_CHECKING:
     from numpy.typing import NDArray
 
     from kinetruss.kinematics.synthesis import Linkage
-    from kinetruss.results import Forces
     from kinetruss.studio.edits import Data
 
 SMALL, LARGE = 262_144, 4_000_000
@@ -64,7 +64,7 @@ class Desk:
         self.original = self.saved = opened(model, text, folder, dim, draw)
         self.case: str | None = None
         self.frames: Sequence[KeyFrame] = ()
-        self.played: tuple[int, Forces] | None = None  # revision and forces of the last motion
+        self.motions = Motions(lambda: self.drawing.revision)
         self.asked: tuple[Linkage, ...] = ()  # found for the last task
         self.grip: Grip | None = None
         self.kept = True  # False: the pose has changed since the changes were kept

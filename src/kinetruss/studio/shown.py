@@ -34,6 +34,7 @@ from kinetruss.viewer import pack, scene
 from kinetruss.viewer.support_marks import support_marks
 
 if TYPE_CHECKING:
+    import threading
     from collections.abc import Sequence
     from pathlib import Path
 
@@ -45,6 +46,7 @@ if TYPE_CHECKING:
     from kinetruss.studio.drawing import Drawing, State
     from kinetruss.studio.files import Drafts
     from kinetruss.studio.judging import Judged
+    from kinetruss.studio.motions import Motions
     from kinetruss.studio.poses import Instant, Reached
     from kinetruss.studio.requested_runs import KeyFrame, Results
 
@@ -65,7 +67,8 @@ class Shown(Protocol):
     unkept: str
     offered: tuple[str, float] | None
     results: Results
-    played: tuple[int, Forces] | None
+    motions: Motions
+    lock: threading.Lock
 
     @property
     def model(self) -> Model: ...  # noqa: D102

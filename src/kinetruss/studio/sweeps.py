@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Mapping, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, replace
 from itertools import combinations
 from typing import TYPE_CHECKING, Any, NamedTuple
@@ -205,8 +205,11 @@ def _aligned(model: Model, x: Floats) -> str:
     return best[1]
 
 
-def settled(swept: Swept, model: Model) -> Swept:
-    """The same at rest, with elastic parts in the equilibrium near each pose; as far as there is a stable one."""
+def settled(swept: Swept, model: Model, stop: Callable[[], object] = bool) -> Swept:
+    """The same at rest, with elastic parts in the equilibrium near each pose; as far as there is a stable one.
+
+    stop : called before each pose, ends it by an error.
+    """
     system = compile(model)
     values, x = _driven(model, swept, system.drives), swept.position.copy()
     unit = "rad" if turns(model.all_drives[swept.drives[0]]) else "m"
@@ -214,6 +217,7 @@ def settled(swept: Swept, model: Model) -> Swept:
     for end, steps in enumerate((range(swept.here, -1, -1), range(swept.here, len(x)))):
         reached = swept.here
         for k in steps:
+            stop()
             try:
                 rest = statics.equilibrium(model, x[k], lengths=dict(zip(system.drives, values[k].tolist(), strict=True)))
                 why = "" if rest.stable else "The equilibrium is not stable"
@@ -239,31 +243,30 @@ def settled(swept: Swept, model: Model) -> Swept:
 
 
 class Film(NamedTuple):
-    """A motion to be played: names and words, arrays over time (positions, forces, reactions), and all forces."""
+    """A motion to be played: names and words, arrays over time (positions, forces, reactions), and all forces.
+
+    The header names members whose strength was asked for as `judged`; their utilisation is the array `used`.
+    """
 
     header: dict[str, Any]
     arrays: dict[str, Floats]
     forces: Forces
 
 
-def film(swept: Swept, model: Model, at_speed: bool = False, strength: bool = False) -> Film:
-    """What a page plays.
-
-    at_speed : with the inertia of the motion at its rates; else every pose at rest. strength : also the utilisation of members.
-    """
+def film(swept: Swept, model: Model, at_speed: bool = False) -> Film:
+    """What a page plays. at_speed : with the inertia of the motion at its rates; else every pose at rest."""
     still = np.zeros_like(swept.position)
     v, a = (swept.velocity, swept.acceleration) if at_speed else (still, still)
     motion = kinematics.from_arrays(model, swept.time, swept.position, v, a)
-    found = packed(swept, model, dynamics.inverse(model, motion, static=False), strength)
+    found = packed(swept, model, dynamics.inverse(model, motion, static=False))
     return found._replace(header=found.header | {"at_speed": at_speed})
 
 
-def packed(swept: Swept, model: Model, forces: Forces, strength: bool) -> Film:
-    """A motion and its forces, as a page plays them; `strength` as of `film`."""
+def packed(swept: Swept, model: Model, forces: Forces) -> Film:
+    """A motion and its forces, as a page plays them."""
     arrays = forces.arrays
     names = [str(name) for name in arrays["drive"].values]
     moments = clamps(compile(model))
-    used = used_over(model, forces) if strength else {}
     header = {
         "drives": [{"name": name, "unit": "rad" if turns(model.all_drives[name]) else "m"} for name in names],
         "swept": list(swept.drives),
@@ -276,7 +279,7 @@ def packed(swept: Swept, model: Model, forces: Forces, strength: bool) -> Film:
         "supports": [str(name) for name in arrays["support"].values] if "support" in arrays else [],
         "moments": sorted(moments),
         "unsure": list(forces.attrs.get("not_unique", ())),
-        "judged": list(used) if strength else None,
+        "judged": None,
     }
     kept = {
         "time": swept.time,
@@ -287,9 +290,15 @@ def packed(swept: Swept, model: Model, forces: Forces, strength: bool) -> Film:
             for name in ("member_force", "drive_force", "reaction", "reaction_moment")
             if name in arrays
         },
-        **({"used": np.stack(list(used.values()), axis=1)} if used else {}),
     }
     return Film(header, kept, forces)
+
+
+def with_strength(film: Film, model: Model) -> Film:
+    """The same motion, with the utilisation of its members."""
+    used = used_over(model, film.forces)
+    arrays = {"used": np.stack(list(used.values()), axis=1)} if used else {}
+    return Film(film.header | {"judged": list(used)}, film.arrays | arrays, film.forces)
 
 
 def _driven(model: Model, swept: Swept, names: Sequence[str]) -> Floats:

@@ -21,7 +21,7 @@ const WAYS = { round: "Full turn", back: "There and back", once: "Once" };
 export class Play extends Player {
   constructor(draw) {
     super();
-    Object.assign(this, { draw, film: null, drawn: null, way: "round", chosen: "", atSpeed: false, rate: new Rate(this), pace: null, told: 0, touch: matchMedia("(hover: none)").matches });
+    Object.assign(this, { draw, film: null, drawn: null, way: "round", chosen: "", atSpeed: false, rate: new Rate(this), pace: null, told: 0, awaited: 0, turn: 0, touch: matchMedia("(hover: none)").matches });
     this.controls = el("div", { class: "row" });
     this.aside = el("span", { class: "row", hidden: true }, button("Keep this pose", () => this.keep(), { title: "Draw the mechanism in the pose shown" }),
       button("Back", () => this.home(), { title: this.hint("Back to the pose that is drawn", "Escape"), "aria-label": "back to the drawn pose" }));
@@ -68,17 +68,22 @@ export class Play extends Player {
 
   /** Play or pause; the motion is computed where it is not known. */
   async toggle() {
-    if (this.draw.closed || (this.awaited && !this.film)) return;
-    if (this.film || (await this.load())) this.togglePlay();
+    if (this.draw.closed) return;
+    if (this.film) return this.togglePlay();
+    this.going = true;
+    await this.load();
   }
 
-  /** Ask for the motion of the drives; false if there is none. */
+  /** Ask for the motion of the drives. Of several that are asked for the last is shown, if the drawing is still the same. */
   async load() {
     if (!this.movable) return this.refuse("Nothing is driven yet.");
+    const { revision } = this.draw.state, turn = ++this.turn;
     const film = await this.ask(this.command(this.falls ? null : this.rate.good(this.unit)));
+    if (turn !== this.turn || revision !== this.draw.state.revision) return;
     if (!this.isFilm(film)) return this.refuse(film.message || "");
     this.show(film);
-    return true;
+    if (this.going && !this.playing) this.togglePlay();
+    this.going = false;
   }
 
   /** Unit of the first drive that moves. */
@@ -93,9 +98,9 @@ export class Play extends Player {
   }
 
   async ask(command) {
-    this.awaited = true;
+    this.awaited++;
     const answer = await this.draw.ask(command);
-    this.awaited = false;
+    this.awaited--;
     return answer;
   }
 
@@ -147,9 +152,8 @@ export class Play extends Player {
   }
 
   refuse(message) {
-    this.failed = message;
+    Object.assign(this, { failed: message, going: false });
     this.rebuild();
-    return false;
   }
 
   /** The sample at which the first drive is nearest to a value. */

@@ -40,10 +40,11 @@ export class Rate {
 
   /** One that is not understood leaves the motion as it is. */
   async take(text, unit) {
-    const { play } = this, own = this.of[unit], command = play.command(this.asked(text, unit));
+    const { play } = this, { revision } = play.draw.state, own = this.of[unit], command = play.command(this.asked(text, unit));
     Object.assign(own, { text, error: "" });
     this.trying = command;
     const film = await play.ask(command);
+    if (play.draw.state.revision !== revision) return this.take(text, unit);
     if (film.kind === "error") {
       own.error = film.message;
       play.rebuild();
