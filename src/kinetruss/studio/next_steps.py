@@ -11,6 +11,7 @@ import numpy as np
 
 from kinetruss.studio.edits import MEMBERS, Data, ends_of, supports
 from kinetruss.studio.judging import on_members
+from kinetruss.threads import one_thread
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray
@@ -31,6 +32,7 @@ CLEAR = 0.3
 """Share of the largest effect of any bar, or of that of any axis, that one must have to be offered."""
 
 
+@one_thread
 def clicks(data: Data, model: Model, mobility: Mobility) -> list[dict[str, Any]]:
     """Clicks for a drawing in space in which something moves with all drives held, the likeliest first.
 
