@@ -11,7 +11,7 @@ from kinetruss.errors import InputError, KinetrussError, ModelError
 from kinetruss.model import nearest
 from kinetruss.studio import asked, beginnings, catalogue, copies, drawing, edits, sweeps
 from kinetruss.studio.dimensions import renamed, toggled
-from kinetruss.studio.films import fall_of, film_of, motion_of, over_of
+from kinetruss.studio.films import fall_of, fallen, film_of, motion_of, over_of
 from kinetruss.studio.member_kinds import switched
 from kinetruss.studio.new_parts import made, with_analysis
 from kinetruss.studio.protocol import message, message_of
@@ -342,9 +342,16 @@ def motion(session: Session, number: Number) -> Answer:
 
 
 @message
-def put(session: Session, values: Values) -> Answer:
-    """A drawing in the pose of other drive values, m or rad, reached continuously from the one that is drawn."""
-    return session.put(values)
+def put(
+    session: Session, values: Values | None = None, sample: Annotated[int, Field(ge=0)] | None = None
+) -> Answer:  # fmt: skip
+    """A drawing in the pose of other drive values, m or rad, reached continuously from the one that is drawn.
+
+    sample : instead, of the last motion, if it was let go.
+    """
+    if (values is None) == (sample is None):
+        raise InputError("This message is not understood. Give values of drives, or a sample of what was let go.")
+    return session.put(values) if values is not None else session.take(fallen(session, sample or 0), "the pose that was let go")
 
 
 @message
