@@ -19,6 +19,7 @@ if TYPE_CHECKING:
     from collections.abc import Callable, Sequence
 
     from kinetruss.model import Model
+    from kinetruss.results import Forces
     from kinetruss.strength.curves import Curve
     from kinetruss.studio.edits import Data
     from kinetruss.studio.motions import Asked, Compute
@@ -64,10 +65,24 @@ def fallen(session: Shown, sample: int) -> Data:
     ------
     InputError : another motion was played last; the pose cannot be drawn.
     """
+    return kept(session.drawing.state.data, session.closed()[0], _played(session, sample), sample)
+
+
+def pose_of(session: Shown, sample: int) -> Forces:
+    """The motion and the forces of a sample of the motion that was played last.
+
+    Raises
+    ------
+    InputError : it is not known any more.
+    """
+    return only(_played(session, sample).forces, sample)
+
+
+def _played(session: Shown, sample: int) -> sweeps.Film:
     film = session.motions.of(session.drawing.revision)
     if film is None or sample >= len(film.arrays["time"]):
         raise InputError(UNKNOWN)
-    return kept(session.drawing.state.data, session.closed()[0], film, sample)
+    return film
 
 
 def _begun(session: Shown, asked: Asked, compute: Compute, judged: Model | None, *, bent: bool = False) -> Answer:
@@ -114,13 +129,10 @@ def over_of(session: Shown, show: str, sample: int | None) -> Record:
     """
     found, forces = session.drawing.found, session.drawing.found.forces
     record: Record = {"kind": "over", "show": show, "curves": [], "why": found.why or "There are no forces."}
-    if sample is not None:
-        film = session.motions.of(session.drawing.revision)
-        forces = None if film is None or sample >= len(film.arrays["time"]) else only(film.forces, sample)
-        record["why"] = UNKNOWN
-    if found.model is None or forces is None:
-        return record
     try:
+        forces = forces if sample is None else pose_of(session, sample)
+        if found.model is None or forces is None:
+            return record
         every = curves(found.model, forces, show, from_model=sample is None)
     except InputError as error:
         return record | {"why": str(error)}
