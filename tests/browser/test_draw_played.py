@@ -255,6 +255,12 @@ def test_what_is_not_driven_is_let_go_by_keys_and_swings_with_the_forces_of_a_pe
     state = hand.state()
     assert (state["drives"][0]["force"], "the drives hold" in said(hand)) == (0, False)
     assert state["force"][0] == pytest.approx(-3 * mass * g * state["places"][1][1] / length, abs=1e-4)
+    shown = state["places"][1]
+    hand.button("Keep this pose")
+    kept = hand.state()
+    assert (hand.js("draw.play.away"), kept["undo"]) == (False, "the pose that was let go")
+    assert kept["places"][1] == pytest.approx(shown, abs=1e-6)
+    assert np.hypot(*kept["places"][1]) == pytest.approx(length, rel=1e-9)
     assert (hand.shown.requests, hand.shown.complaints) == ([], [])
 
 

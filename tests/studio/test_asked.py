@@ -5,16 +5,20 @@ from __future__ import annotations
 import ast
 import io
 import json
+import re
 import time
 
 import numpy as np
 import pypdf
 import pytest
 
+import drawn
 import kinetruss as kt
+from four_bars import four_bar
 from kinetruss.studio import Session
 from kinetruss.studio.beginnings import STARTERS, starter
 from kinetruss.studio.drawing import model_of, read_text
+from kinetruss.studio.poses import at_rest
 from kinetruss.studio.taken import python_of, taken
 
 FLAP = [(0.0, 0.0, 0.0), (0.3, 0.2, 0.6), (0.4, 0.6, 1.4)]
@@ -69,6 +73,30 @@ def test_a_linkage_that_was_found_comes_into_the_drawing_and_passes(drawing):
     assert kt.kinematics.mobility(model).degrees_of_freedom == 2
     say(drawing, do="undo")
     assert list(drawing.model.bars) == ["crank", "rocker"]
+
+
+def test_a_picture_is_that_of_the_pose_where_the_motion_stands(tmp_path):
+    model = four_bar((0.1, 0.35, 0.3), 0.4)
+    session = drawn.drawing(model)
+    _, arrays = drawn.unpacked(drawn.asked(session, do="sweep", drives=["motor"]))
+    pictures = {sample: made(session, form="svg", sample=sample).content for sample in (90, 200)}
+    for sample, picture in pictures.items():
+        crank = arrays["drive_position"][sample, 0]
+        turned = four_bar((0.1, 0.35, 0.3), 0.4, float(crank))  # the same linkage, drawn so
+        forces = at_rest(turned, np.array([node.at for node in turned.nodes.values()]))
+        path = kt.report.picture(forces, tmp_path / "pose.svg", model=turned)
+        assert lines(picture) == pytest.approx(lines(path.read_bytes()), abs=2e-3)
+    assert lines(pictures[90]) != pytest.approx(lines(pictures[200]), abs=2e-3)
+    assert lines(made(session, form="svg").content) == pytest.approx(
+        lines(kt.report.picture(model, tmp_path / "own.svg").read_bytes()), abs=1e-9
+    )
+    say(session, do="set", path=["title"], value="another")
+    assert made(session, form="svg", sample=90)["message"] == "The motion is not known any more. Play it again."
+
+
+def lines(picture: bytes) -> list[float]:
+    """All numbers of the lines of a picture."""
+    return [float(one) for path in re.findall(rb' d="([^"]*)"', picture) for one in re.findall(rb"-?\d+\.?\d*", path)]
 
 
 def test_what_is_no_task_is_said_and_changes_nothing(drawing):

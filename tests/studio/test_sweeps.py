@@ -186,3 +186,24 @@ def test_the_strength_of_a_motion_that_was_played_is_that_of_its_forces_and_noth
     assert len(moved) == 5
     assert np.abs(longer["drive_force"]).max() == pytest.approx(30)
     assert longer["position"][0, 1].tolist() == pytest.approx([0, 0.3])
+
+
+def test_a_pose_that_is_kept_leaves_springs_without_force_where_they_were():
+    hinge, cable = (
+        kt.Spring(coordinate=kt.AngleDrive("b"), stiffness=7.0),
+        {"kind": "cable", "stiffness": 1e3, "pretension": 20.0},
+    )
+    model = crank().with_(
+        nodes={"A": (0, 0), "B": (0, 0.2), "C": (0.5, 0)}, fixed={"A": "xy", "C": "xy"}, springs={"hinge": hinge}, loads={},
+        bars={"b": ("A", "B"), "rope": kt.Bar(ends=("C", "B"), **cable)},
+    )  # fmt: skip
+    desk = Session(model, draw=True)
+    angle, free = math.radians(120), math.hypot(0.5, 0.2) - 20 / 1e3
+    answer = asked(desk, do="put", values={"motor": angle})
+    tip = np.array([0.2 * math.cos(angle), 0.2 * math.sin(angle)])
+    way = np.array([0.5, 0]) - tip
+    pull = 1e3 * (np.linalg.norm(way) - free)
+    assert answer["force"][1] == pytest.approx(pull, rel=1e-9)
+    moment = pull * (tip[0] * way[1] - tip[1] * way[0]) / np.linalg.norm(way)
+    (motor,) = answer["drives"]
+    assert motor["force"] == pytest.approx(7.0 * (angle - math.pi / 2) - moment, rel=1e-9)

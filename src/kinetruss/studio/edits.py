@@ -9,9 +9,13 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
+from kinetruss.elements.scalars import measures_of
+from kinetruss.elements.spring import springs
 from kinetruss.errors import Fault, InputError, ModelError
 from kinetruss.io.writing import value_of
-from kinetruss.model import Bar, Model, nearest, of_file
+from kinetruss.mechanics import compile
+from kinetruss.mechanics.measures import measured
+from kinetruss.model import Bar, Model, natural_length, nearest, of_file
 from kinetruss.units import parse
 
 if TYPE_CHECKING:
@@ -130,7 +134,8 @@ def moved(data: Data, places: Mapping[str, Sequence[Any]]) -> Data:
 def at_pose(data: Data, model: Model, position: NDArray[np.float64]) -> Data:
     """The data with nodes at a pose (n_nodes, dim), m, of the model of the data, and what follows the drives.
 
-    Given lengths of driven members are those there; springs whose natural length is that drawn keep it as a number.
+    Given lengths of driven members are those there. What is drawn without force, or with a pretension, keeps its free length
+    or angle as a number.
     """
     old = {name: np.array(node.at) for name, node in model.nodes.items()}
     new = {name: np.array(place) for name, place in zip(model.nodes, position, strict=False)}
@@ -142,11 +147,27 @@ def at_pose(data: Data, model: Model, position: NDArray[np.float64]) -> Data:
             a, b = member.ends
             if isinstance(entry, dict) and entry.get("length") is not None and name in model.all_drives:
                 rows[name] = {**entry, "length": float(np.linalg.norm(new[b] - new[a]))}
-            elif isinstance(member, Bar) and member.kind in SOFT and (member.natural_length, member.pretension) == (None, None):
-                rows[name] = {**entry_of(entry), "natural_length": float(np.linalg.norm(old[b] - old[a]))}
+            elif isinstance(member, Bar) and member.kind in SOFT and member.natural_length is None:
+                own = natural_length(model, member, float(np.linalg.norm(old[b] - old[a])))
+                kept = {key: value for key, value in entry_of(entry).items() if key != "pretension"}
+                rows[name] = {**kept, "natural_length": own}
         if rows and rows != found.get(table):
             found = {**found, table: rows}
-    return found
+    return _with_rests(found, model, position)
+
+
+def _with_rests(data: Data, model: Model, position: NDArray[np.float64]) -> Data:
+    """The data with the rest of springs whose coordinate is another one at a pose, where it is that drawn."""
+    if not any(one.rest is None for one in model.springs.values()):
+        return data
+    system, rows = compile(model), dict(data.get("springs") or {})
+    x = np.zeros_like(system.x0)
+    x[:, : system.dim] = position
+    part = springs(system)
+    for name, rest, m in zip(part.names, part.rest, measures_of(system, "spring"), strict=True):
+        if name in rows and model.springs[name].rest is None and measured(system, m, x[None], along=False)[0, 0] != rest:
+            rows[name] = {**rows[name], "rest": float(rest)}
+    return {**data, "springs": rows} if rows else data
 
 
 def with_load(data: Data, name: str, node: str, force: Sequence[float]) -> Data:

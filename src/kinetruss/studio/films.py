@@ -11,7 +11,7 @@ from kinetruss.errors import InputError, UnitError
 from kinetruss.model import turns
 from kinetruss.strength.curves import curves, factor_of, only, sentence
 from kinetruss.studio import sweeps
-from kinetruss.studio.let_go import let_go
+from kinetruss.studio.let_go import kept, let_go
 from kinetruss.studio.shown import framed, places_of
 from kinetruss.units import parse
 
@@ -19,11 +19,16 @@ if TYPE_CHECKING:
     from collections.abc import Callable, Sequence
 
     from kinetruss.model import Model
+    from kinetruss.results import Forces
     from kinetruss.strength.curves import Curve
+    from kinetruss.studio.edits import Data
     from kinetruss.studio.motions import Asked, Compute
     from kinetruss.studio.shown import Record, Shown
 
     Answer = bytes | Record
+
+
+UNKNOWN = "The motion is not known any more. Play it again."
 
 
 def film_of(session: Shown, drives: Sequence[str], rate: float | str | None, at_speed: bool, strength: bool) -> Answer:
@@ -52,6 +57,33 @@ def fall_of(session: Shown, held: bool, strength: bool) -> Answer:
         (model, position), revision = session.closed(), session.drawing.revision
     compute = partial(let_go, model, position, held)
     return _begun(session, (revision, "let go", held), compute, model if strength else None)
+
+
+def fallen(session: Shown, sample: int) -> Data:
+    """The data of a drawing in the pose of a sample of the motion that was let go last.
+
+    Raises
+    ------
+    InputError : another motion was played last; the pose cannot be drawn.
+    """
+    return kept(session.drawing.state.data, session.closed()[0], _played(session, sample), sample)
+
+
+def pose_of(session: Shown, sample: int) -> Forces:
+    """The motion and the forces of a sample of the motion that was played last.
+
+    Raises
+    ------
+    InputError : it is not known any more.
+    """
+    return only(_played(session, sample).forces, sample)
+
+
+def _played(session: Shown, sample: int) -> sweeps.Film:
+    film = session.motions.of(session.drawing.revision)
+    if film is None or sample >= len(film.arrays["time"]):
+        raise InputError(UNKNOWN)
+    return film
 
 
 def _begun(session: Shown, asked: Asked, compute: Compute, judged: Model | None, *, bent: bool = False) -> Answer:
@@ -98,13 +130,10 @@ def over_of(session: Shown, show: str, sample: int | None) -> Record:
     """
     found, forces = session.drawing.found, session.drawing.found.forces
     record: Record = {"kind": "over", "show": show, "curves": [], "why": found.why or "There are no forces."}
-    if sample is not None:
-        film = session.motions.of(session.drawing.revision)
-        forces = None if film is None or sample >= len(film.arrays["time"]) else only(film.forces, sample)
-        record["why"] = "The motion is not known any more. Play it again."
-    if found.model is None or forces is None:
-        return record
     try:
+        forces = forces if sample is None else pose_of(session, sample)
+        if found.model is None or forces is None:
+            return record
         every = curves(found.model, forces, show, from_model=sample is None)
     except InputError as error:
         return record | {"why": str(error)}

@@ -11,7 +11,7 @@ from kinetruss.errors import InputError, KinetrussError, ModelError
 from kinetruss.model import nearest
 from kinetruss.studio import asked, beginnings, catalogue, copies, drawing, edits, sweeps
 from kinetruss.studio.dimensions import renamed, toggled
-from kinetruss.studio.films import fall_of, film_of, motion_of, over_of
+from kinetruss.studio.films import fall_of, fallen, film_of, motion_of, over_of, pose_of
 from kinetruss.studio.member_kinds import switched
 from kinetruss.studio.new_parts import made, with_analysis
 from kinetruss.studio.protocol import message, message_of
@@ -36,6 +36,7 @@ Positive = Annotated[Finite, Field(ge=0)]
 Ends = Annotated[list[Name], Field(min_length=2, max_length=2)]
 Path = Annotated[list[Name], Field(min_length=1, max_length=12)]
 Count = Annotated[int, Field(ge=1, le=200)]
+Sample = Annotated[int, Field(ge=0)]
 Samples = Annotated[int, Field(ge=2, le=2001)]
 Number = Annotated[int, Field(ge=1)]
 Words = Annotated[str, Field(max_length=200)]
@@ -342,13 +343,18 @@ def motion(session: Session, number: Number) -> Answer:
 
 
 @message
-def put(session: Session, values: Values) -> Answer:
-    """A drawing in the pose of other drive values, m or rad, reached continuously from the one that is drawn."""
-    return session.put(values)
+def put(session: Session, values: Values | None = None, sample: Sample | None = None) -> Answer:
+    """A drawing in the pose of other drive values, m or rad, reached continuously from the one that is drawn.
+
+    sample : instead, of the last motion, if it was let go.
+    """
+    if (values is None) == (sample is None):
+        raise InputError("This message is not understood. Give values of drives, or a sample of what was let go.")
+    return session.put(values) if values is not None else session.take(fallen(session, sample or 0), "the pose that was let go")
 
 
 @message
-def over(session: Session, show: Name, sample: Annotated[int, Field(ge=0)] | None = None) -> Answer:
+def over(session: Session, show: Name, sample: Sample | None = None) -> Answer:
     """Section forces or the deflection over the drawing, or over a sample of the motion that was played last."""
     return over_of(session, show, sample)
 
@@ -401,12 +407,16 @@ def begin(session: Session, name: Name) -> Answer:
 
 
 @message
-def take(session: Session, form: Form, run: Words = "") -> Answer:
-    """Make a file of the drawing; it is at ``result/`` and the number in the answer. run : whose motion and result it has."""
+def take(session: Session, form: Form, run: Words = "", sample: Sample | None = None) -> Answer:
+    """Make a file of the drawing; it is at ``result/`` and the number in the answer.
+
+    run : whose motion and result it has. sample : of the motion that was played last, whose pose a picture shows.
+    """
     with session.lock:
         model, data, text, revision = session.model, session.data, session.drawing.state.text, session.drawing.revision
+        pose = None if sample is None else pose_of(session, sample)
     name = model.title or ("drawing" if session.file is None else session.file.stem)
-    return session.results.make(form, model, data, text, name, run, revision)
+    return session.results.make(form, model, data, text, name, run, revision, pose)
 
 
 # What is kept.

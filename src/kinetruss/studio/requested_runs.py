@@ -26,6 +26,7 @@ from kinetruss.studio.taken import File, Form, taken
 from kinetruss.viewer import page, scene
 
 if TYPE_CHECKING:
+    from kinetruss.results import Forces
     from kinetruss.studio.edits import Data
 
 
@@ -263,7 +264,10 @@ class Results:
         work = Work(name, revision, *((0, "pairs") if pairs else (run.samples, "samples")))
         return self._begin(work, partial(self._result, work, model))
 
-    def make(self, form: Form, model: Model, data: Data, text: str, name: str, run: str, revision: int = 0) -> dict[str, Any]:
+    def make(
+        self, form: Form, model: Model, data: Data, text: str, name: str, run: str, revision: int = 0,
+        pose: Forces | None = None,
+    ) -> dict[str, Any]:  # fmt: skip
         """Begin to make a file of a drawing; the record of its end if that comes soon. The arguments are those of `taken`.
 
         Raises
@@ -271,7 +275,7 @@ class Results:
         InputError : another one, or a run, is computed.
         """
         work = Work(name, revision, 0, "pictures", form=form)
-        return self._begin(work, lambda: self._made(work, taken(form, model, data, text, name, run, work.progress)))
+        return self._begin(work, lambda: self._made(work, taken(form, model, data, text, name, run, work.progress, pose)))
 
     def _begin(self, work: Work, do: Callable[[], dict[str, Any]]) -> dict[str, Any]:
         with self.lock:

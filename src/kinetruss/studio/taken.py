@@ -21,6 +21,7 @@ from kinetruss.studio.new_parts import new_run
 if TYPE_CHECKING:
     from collections.abc import Callable
 
+    from kinetruss.results import Forces
     from kinetruss.runs import RunResult
     from kinetruss.studio.edits import Data
 
@@ -64,13 +65,15 @@ def taken(
     name: str,
     run: str = "",
     progress: Callable[[int, int], None] | None = None,
+    pose: Forces | None = None,
 ) -> File:
     """A file of a drawing.
 
     Parameters
     ----------
     text : of its model file. name : of the file, without suffix. run : whose motion and result films, page and report show; by
-        default the first one that moves, else a turn of its drives.
+        default the first one that moves, else a turn of its drives. pose : of a motion, one sample, that a picture shows in
+        place of the one that is drawn.
 
     Raises
     ------
@@ -84,15 +87,17 @@ def taken(
     elif form == "python":
         content = python_of(data, stem).encode()
     else:
-        content = _computed(form, model, run, f"{stem}.{suffix}", progress)
+        content = _computed(form, model, run, f"{stem}.{suffix}", progress, pose)
     return File(f"{stem}.{suffix}", media, content)
 
 
-def _computed(form: Form, model: Model, run: str, name: str, progress: Callable[[int, int], None] | None) -> bytes:
+def _computed(
+    form: Form, model: Model, run: str, name: str, progress: Callable[[int, int], None] | None, pose: Forces | None
+) -> bytes:  # fmt: skip
     with TemporaryDirectory() as folder:
         path = Path(folder) / name
         if form in ("svg", "png", "pdf"):
-            report.picture(model, path)
+            report.picture(model if pose is None else pose, path, model=model)
         elif form == "page":
             result = None if not run and not (model.runs or model.all_drives) else _result(model, run)
             viewer.write(model if result is None else result, path)

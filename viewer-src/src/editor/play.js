@@ -239,7 +239,7 @@ export class Play extends Player {
     const { film, index, draw } = this;
     const values = Object.fromEntries(film.drives.map(({ name }, d) => [name, film.arrays.drive_position.data[index * film.drives.length + d]]));
     this.value = undefined;
-    await draw.edit({ do: "put", values });
+    await draw.edit({ do: "put", ...(film.falls ? { sample: index } : { values }) });
   }
 
   /** A place of the curve. */
@@ -274,7 +274,6 @@ export class Play extends Player {
     const inertia = (film ? !film.bent && !film.falls : this.atSpeed) ? choice("Forces", [["", "at rest"], ["on", "at speed"]], this.atSpeed ? "on" : "", (on) => other({ atSpeed: Boolean(on) }), "forces while it moves") : null;
     refill(this.controls, bar, speed, drive, way, inertia, film && this.atSpeed ? this.rate.node(film) : null, this.aside);
     this.aside.hidden = !this.away;
-    this.aside.firstChild.hidden = Boolean(film?.falls); // its pose is not that of drive values
     if (film) this.graph.before(this.words);
     else this.controls.append(this.words); // beside the button: the picture keeps its size
     this.graph.hidden = !film;

@@ -31,7 +31,8 @@ export class Take {
   async take(form) {
     this.doing = form;
     this.rebuild();
-    let answer = await this.draw.ask({ do: "take", form, run: this.run });
+    const { play } = this.draw, sample = play.away ? play.index : null; // a picture shows the pose that is seen
+    let answer = await this.draw.ask({ do: "take", form, run: this.run, sample });
     while (answer.kind === "running" && answer.form) {
       this.progress(answer);
       await new Promise((done) => setTimeout(done, AGAIN));
