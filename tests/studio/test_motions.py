@@ -129,3 +129,16 @@ def test_errors_of_a_motion_are_its_answer_and_are_not_kept(monkeypatch):
     assert answer == {"kind": "error", "message": "This could not be done: ZeroDivisionError. The model is unchanged."}
     monkeypatch.undo()
     assert unpacked(asked(session, do="sweep", drives=["motor"]))[0]["kind"] == "sweep"
+
+
+def test_the_end_of_a_studio_gives_up_a_motion_and_waits_for_its_step(gate):
+    session = drawing(four_bar((0.1, 0.35, 0.3), 0.4))
+    first = sent(session, do="sweep", drives=["motor"])
+    assert gate.inside.wait(LONGEST)
+    session.motions.close(0.0)
+    gate.open.set()
+    session.motions.close(LONGEST)
+    assert not session.motions._thread.is_alive()
+    assert gate.ended == 1
+    assert session.motions.of(session.drawing.revision) is None
+    assert sent(session, do="motion", number=first["number"])["kind"] == "replaced"

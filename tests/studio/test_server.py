@@ -12,7 +12,7 @@ import pytest
 from websockets.exceptions import ConnectionClosed, InvalidStatus
 from websockets.sync.client import ClientConnection, connect
 
-from kinetruss import dynamics, kinematics
+from kinetruss import dynamics, io, kinematics, library
 from samples import tripod
 from served import WAIT, Served, serve, start
 
@@ -153,6 +153,17 @@ def test_ctrl_c_ends_it_with_pages_open(tmp_path):
     rest = served.process.communicate()[0]
     assert "Stopped." in rest
     assert "Traceback" not in rest
+
+
+def test_ctrl_c_ends_it_while_a_file_and_a_motion_are_made(tmp_path):
+    model = io.read(library.example_files()["driven_bay"][0])
+    served = serve(model, tmp_path)
+    with live(served, uri=served.live.removesuffix("live") + "draw/live") as page:
+        heard(page)
+        assert ask(page, do="take", form="page", run=next(iter(model.runs)))["kind"] in ("running", "taken")
+        assert ask(page, do="sweep", drives=[next(iter(model.all_drives))])["kind"] in ("computing", "sweep")
+        assert served.stop() == 0
+    assert "Stopped." in served.process.communicate()[0]
 
 
 def test_a_port_that_is_taken_is_named(studio, tmp_path):

@@ -52,6 +52,7 @@ class Motions:
         self._played: tuple[Asked, Film] | None = None  # the last one that was computed, without its strength
         self._last = _Request(0, (), strength=False)
         self._last.done.set()
+        self._thread: threading.Thread | None = None  # of the newest request; those before it are waited for
         self._lock = threading.Lock()
 
     def begin(self, asked: Asked, compute: Compute, judge: Callable[[Film], Film] | None) -> int:
@@ -79,7 +80,8 @@ class Motions:
                 self._played = played
             return played[1] if judge is None else judge(played[1])
 
-        threading.Thread(target=self._do, args=(request, work), daemon=True).start()
+        self._thread = threading.Thread(target=self._do, args=(request, work), daemon=True)
+        self._thread.start()
         return request.number
 
     def answer(self, number: int) -> Film | dict[str, Any]:
@@ -103,6 +105,14 @@ class Motions:
     def of(self, revision: int) -> Film | None:
         """The motion that was computed last, if it is that of a revision of the drawing."""
         return self._played[1] if self._played is not None and self._played[0][0] == revision else None
+
+    def close(self, patience: float) -> None:
+        """Give up what is computed, and wait so many seconds for the end of its step."""
+        with self._lock:
+            self._last = _Request(self._last.number + 1, (), strength=False)
+            self._last.done.set()
+        if self._thread is not None:
+            self._thread.join(patience)
 
     def _do(self, request: _Request, work: Callable[[], Film]) -> None:
         try:

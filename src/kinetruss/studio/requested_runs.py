@@ -313,6 +313,16 @@ class Results:
             self.left.append(work)
         return {"kind": "stopped", "name": work.name, "done": work.done, "total": work.total}
 
+    def close(self, patience: float) -> None:
+        """Give up all that is computed, and wait so many seconds for the end of each step."""
+        with self.lock:
+            works = [*self.left, *([] if self.work is None else [self.work])]
+        for work in works:
+            work.stopped = True
+        for work in works:
+            if work.thread is not None:
+                work.thread.join(patience)
+
     def _do(self, work: Work, do: Callable[[], dict[str, Any]]) -> None:
         try:
             found = do()

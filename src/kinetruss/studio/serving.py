@@ -14,6 +14,9 @@ from kinetruss.io import MAX_SIZE, read
 
 HOST = "127.0.0.1"
 
+PATIENCE = 5.0
+"""Seconds that the end of a studio waits for the step of what it computes."""
+
 
 def serve(
     path: str | Path | None = None,
@@ -92,7 +95,11 @@ def serve(
         gc.freeze()  # what is loaded stays: to look through it again takes as long as twenty edits
         if ready is not None:
             ready(f"http://{HOST}:{here}/{token}/{'draw/' if draw or model is None else ''}")
-        uvicorn.Server(config).run(sockets=[listener])
+        try:
+            uvicorn.Server(config).run(sockets=[listener])
+        finally:  # Python may abort where it ends while a thread is within a compiled library
+            drawing.motions.close(PATIENCE)
+            drawing.results.close(PATIENCE)
 
 
 def _packages() -> tuple[Any, Any]:
