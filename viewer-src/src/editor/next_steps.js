@@ -26,7 +26,7 @@ function stepsOf(state) {
     const driven = new Set(drives.map(({ bar }) => bar)), turning = members.filter(({ name, ends }) => held(ends[0]) !== held(ends[1]) && !driven.has(name) && name in (data.bars || {}));
     return turning.slice(0, MOST).map(({ name, ends }) => drive(`Turn ${name} about ${ends.find(held)}`, `drive ${name} about ${ends.find(held)}`, "motor", data, { kind: "angle", bar: name }, true));
   }
-  if ((dim === 2 && !drives.length) || !missing.some((words) => words.startsWith("No load"))) return [];
+  if (!missing.some((words) => words.startsWith("No load"))) return [];
   const worth = (name) => (fixed[name] ? 0 : members.length) + at.get(name), loose = nodes.filter((name) => !held(name)), most = Math.max(...loose.map(worth));
   const node = loose.filter((name) => worth(name) === most).at(-1);
   return node ? [[`${-LOAD} N down at ${node}`, `load on ${node}`, ["loads", freeName(data, "loads", `F_${node}`)], { node, force: [...ALL[dim]].map((_, k) => `${k === dim - 1 ? LOAD : 0} N`) }, drives.length > 0]] : [];
