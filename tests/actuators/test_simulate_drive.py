@@ -4,7 +4,7 @@ import math
 
 import numpy as np
 import pytest
-from hypothesis import given, settings, strategies as st
+from hypothesis import example, given, settings, strategies as st
 from scipy.integrate import DOP853, Radau
 
 import kinetruss as kt
@@ -190,6 +190,7 @@ LOADS = st.builds(kt.DriveLoad, thrust=st.floats(-500, 500), mass=st.just(0.0) |
 
 @pytest.mark.slow
 @given(st.sampled_from([GEARED, TRAIN_LACY, COARSE, TRAIN_LACY_SLEWING]), INPUTS, LOADS)
+@example(TRAIN_LACY, kt.StepInput(voltage=1.0, start=5e-324), kt.DriveLoad(thrust=1.0))  # an interval without a middle
 @settings(max_examples=20)
 def test_power_closes_and_losses_only_grow(train, history, load):
     run = simulate_drive(train, history, load=load, duration=0.5, samples=101)

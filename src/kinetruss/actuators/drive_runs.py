@@ -22,7 +22,7 @@ from kinetruss.actuators.drive_model import (
     motor_input,
     refuse_jam,
 )
-from kinetruss.actuators.inputs import in_currents, inputs_of, kinks, source_of, thrust_of
+from kinetruss.actuators.inputs import edges_of, in_currents, inputs_of, kinks, source_of, thrust_of
 from kinetruss.actuators.modes import Coordinate, Drives, MotorModes
 from kinetruss.actuators.steps import Tolerances, method_from, step_of, watch
 from kinetruss.errors import AnalysisError, InputError
@@ -334,7 +334,7 @@ def _modes(
     limits: tuple[float, float] | None,
 ) -> MotorModes:
     """The modes of one drive that works on a single coordinate, between the kinks of its input and of its load."""
-    edges = (0.0, *kinks(history, load, duration), float(duration))
+    edges = edges_of(kinks(history, load), duration)
     thrusts = [thrust_of(load, a, b) for a, b in pairwise(edges)]
     drives = Drives(
         **inputs_of((model,), (history,), edges, (start,), (load.carried,), lambda i, t: (thrusts[i](t, start),)),

@@ -14,10 +14,12 @@ from kinetruss.errors import InputError
 from kinetruss.model import DriveInput, DriveLoad, DriveTrain, ExponentialInput, PositionLoop, SineInput, StepInput, TableInput
 
 if TYPE_CHECKING:
-    from collections.abc import Sequence
+    from collections.abc import Iterable, Sequence
 
 
 Law = Callable[[float], float]
+SHORTEST = 1e-14
+"""Of a duration, an interval that is round-off."""
 STIFF = 3e4
 """Decays of the winding in a run above which an implicit method is cheaper."""
 
@@ -48,14 +50,29 @@ def in_currents(train: DriveTrain, history: Any) -> tuple[DriveTrain, Any]:
     return train.with_(amplifier=None), history.with_(**{field: None, field.replace("torque", "current"): flowing})
 
 
-def kinks(history: DriveInput | PositionLoop, load: DriveLoad, duration: float) -> list[float]:
-    """Times inside (0, duration) at which input, target or load jump or bend, sorted."""
+def edges_of(times: Iterable[float], duration: float) -> tuple[float, ...]:
+    """0, the duration, and the times (s) between them, sorted.
+
+    No two are closer than `SHORTEST`: an interval of round-off has neither a middle nor a step.
+
+    >>> edges_of([0.3, 5e-324, 0.3 + 1e-16, 0.1, 2.0], 1.0)
+    (0.0, 0.1, 0.3, 1.0)
+    """
+    found, least = [0.0], SHORTEST * duration
+    for t in sorted(times):
+        if found[-1] + least < t < duration - least:
+            found.append(t)
+    return (*found, float(duration))
+
+
+def kinks(history: DriveInput | PositionLoop, load: DriveLoad) -> set[float]:
+    """Times at which input, target or load jump or bend, s."""
     times: set[float] = set(load.times or ())
     if isinstance(history, TableInput | PositionLoop):
         times |= set(history.times or ())
     elif isinstance(history, StepInput):
         times |= {history.start} | ({history.end} if history.end is not None else set())
-    return sorted(t for t in times if 0 < t < duration)
+    return times
 
 
 def longest_step(history: DriveInput | PositionLoop, duration: float) -> float:

@@ -11,7 +11,7 @@ import numpy as np
 
 from kinetruss.actuators import train_of
 from kinetruss.actuators.drive_model import COLUMNS, ENERGIES, drive_model_of, stored_energy
-from kinetruss.actuators.inputs import in_currents, inputs_of, kinks, source_of
+from kinetruss.actuators.inputs import edges_of, in_currents, inputs_of, kinks, source_of
 from kinetruss.actuators.modes import Drives, unwrapped
 from kinetruss.dynamics.integrators import jumps
 from kinetruss.errors import AnalysisError, InputError
@@ -108,10 +108,10 @@ def motors_of(
     given = [_trained(system.model, name, tasks[name]) for name in names]
     models = [drive_model_of(train, source_of(history)) for train, history in given]
     histories = [history for _, history in given]
-    kinked = {t for one in histories for t in kinks(one, DriveLoad(), t_end)} | {t for t in jumps(eq) if 0 < t < t_end}
+    edges = edges_of({*jumps(eq), *(t for one in histories for t in kinks(one, DriveLoad()))}, t_end)
     masses = [start.mass[j][j] for j in range(len(names))]
     return Motors(
-        **inputs_of(models, histories, (0.0, *sorted(kinked), t_end), start.value, masses, lambda _, __: start.thrust),
+        **inputs_of(models, histories, edges, start.value, masses, lambda _, __: start.thrust),
         names=tuple(names),
         rows=rows,
         period=period,
