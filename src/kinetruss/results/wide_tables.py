@@ -24,7 +24,7 @@ if TYPE_CHECKING:
 
 
 _NUMBERS = ("value", "limit", "utilisation", "margin", "time_of", "station", "position")
-_TEXTS = ("note", "load_case", "pose")
+_TEXTS = ("load_case", "pose", "note")
 """Variables of the entries of a row, in its order."""
 COLUMNS = ("part", "rule", "value", "limit", "utilisation", "margin", "time", "station", "load_case", "note")
 _UNITS = {"value": "", "limit": "", "utilisation": "%", "position": "m"}
@@ -59,17 +59,17 @@ class Row:
     part: str
     member: str
     rule: str
-    unit: str
     value: float
     limit: float
+    unit: str
     utilisation: float
     margin: float
     time: float
     station: float = math.nan
     position: float = math.nan
-    note: str = ""
     load_case: str = ""
     pose: str = ""
+    note: str = ""
 
     @property
     def checked(self) -> bool:
@@ -131,8 +131,8 @@ def rows_of(data: xr.Dataset | Columns, subject: str, rule: str, *, timed: bool 
         numbers["time_of"] = [math.nan] * (count * len(rules))
     share, note = numbers["utilisation"], texts["note"]
     rows = [
-        Row(parts[k // len(rules)], members[k // len(rules)], rules[k % len(rules)], units[k % len(rules)], *entry)
-        for k, entry in enumerate(zip(*numbers.values(), *texts.values(), strict=True))
+        Row(parts[k // len(rules)], members[k // len(rules)], rules[k % len(rules)], value, limit, units[k % len(rules)], *more)
+        for k, (value, limit, *more) in enumerate(zip(*numbers.values(), *texts.values(), strict=True))
         if note[k] or not math.isnan(share[k])
     ]
     of: dict[str, list[float]] = {row.part: [] for row in rows if math.isinf(row.utilisation)}
