@@ -43,7 +43,7 @@ from revision import NoHistoryError, checkout, hash_of
 
 HERE = Path(__file__).resolve().parent
 TREE = HERE.parents[2]
-BASE = "c364cf02c253d974e82c7d09d8cb90c9156677a1"
+BASE = "788c38d11ad5ff1e75b77ff7d7ba8d5b3f5cab91"
 """Commit that the tree must agree with."""
 NOT_CHECKED = 3
 MOST = 60
