@@ -75,5 +75,5 @@ def test_what_becomes_of_faults(project, tmp_path):
     assert len(lines) == 5  # two selections of tests, three faults that have a place
     assert become(*faults.values(), wrong) == outcomes and log.read_text().splitlines() == lines
     assert (project / "src/kinetruss/__init__.py").read_text() == PROJECT["src/kinetruss/__init__.py"]
-    (project / "tests/test_area.py").write_text("def test_area():\n    assert True\n")
+    (project / "tests/test_area.py").write_text("def test_area():\n    assert True\n")  # finds nothing
     assert become(faults["found"])[faults["found"].name]["verdict"] == "survived"
